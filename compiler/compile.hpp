@@ -1,0 +1,28 @@
+/// Text in, Scene out: the pipeline, one pass a line.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "compiler/passes.hpp"
+
+namespace wale {
+
+/// Every noun on the way from a chart to a fabric.
+struct Compiled {
+  Chart chart;
+  Program program;
+  StitchGraph graph;
+  Layout layout;
+  Fabric fabric;
+  Gauge gauge;
+  std::vector<Crossing> crossings;
+};
+
+/// A chart to a fabric. Nothing if an error was reported.
+std::optional<Compiled> compile_chart(const Source&, const ChartOverrides&, int segments_per_stitch, Diagnostics&);
+
+/// A scene file, and the chart that it names (read through `sources`, relative to the scene file), to a Scene.
+std::optional<Scene> compile_scene(const Source&, Sources& sources, Diagnostics&);
+
+}  // namespace wale

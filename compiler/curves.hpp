@@ -1,0 +1,31 @@
+/// The path of every yarn as a smooth curve, before it is cut into segments.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "sim/fabric.hpp"
+
+namespace wale {
+
+/// A smooth piece of a yarn: position and derivative by a parameter on [0, 1].
+struct CurvePiece {
+  struct Point {
+    Vec3 y, dy;
+  };
+  std::function<Point(double)> at;
+  int stitch = -1;          ///< index into StitchGraph::loops; -1 for cast-on, bind-off and joins
+  int material = 0;
+  double stitch_length = 0; ///< yarn length that the whole stitch should have in the end, m; 0: as its neighbours
+};
+
+/// Pieces follow each other with continuous position and direction.
+struct YarnCurve {
+  std::vector<CurvePiece> pieces;
+};
+
+struct Curves {
+  std::vector<YarnCurve> yarns;
+};
+
+}  // namespace wale

@@ -1,0 +1,37 @@
+/// What the compiler tells a user about a text: where, what, and what to write instead.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/source.hpp"
+
+namespace wale {
+
+enum class Severity : std::uint8_t { note, warning, error };
+
+struct Diagnostic {
+  Severity severity = Severity::error;
+  std::string_view code;  ///< "C012": stable, from compiler/codes.hpp
+  Span span;
+  std::string message;    ///< lower case, no full stop, names in quotes
+  std::string hint;       ///< an instruction; may be empty
+};
+
+class Diagnostics {
+ public:
+  void report(Diagnostic diagnostic) { all_.push_back(std::move(diagnostic)); }
+  void error(std::string_view code, Span span, std::string message, std::string hint = {});
+  void warning(std::string_view code, Span span, std::string message, std::string hint = {});
+  bool failed() const;  ///< an error was reported
+  const std::vector<Diagnostic>& all() const { return all_; }
+
+ private:
+  std::vector<Diagnostic> all_;
+};
+
+/// `file:line:col: error: message [code]`, the source line, carets, and the hint.
+std::string print(const Diagnostic&);
+
+}  // namespace wale

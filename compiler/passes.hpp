@@ -1,0 +1,32 @@
+/// The compiler's table of contents: every pass, in the order they run.
+#pragma once
+
+#include <optional>
+
+#include "compiler/chart.hpp"
+#include "compiler/curves.hpp"
+#include "compiler/diagnostic.hpp"
+#include "compiler/layout.hpp"
+#include "compiler/program.hpp"
+#include "compiler/stitch_graph.hpp"
+#include "sim/scene.hpp"
+
+namespace wale::passes {
+
+std::optional<Chart> parse_chart(const Source&, const ChartOverrides&, Diagnostics&);
+/// Knit on the front bed, purl on the back bed, transfers between; a tube goes round both beds at half gauge.
+/// Every instruction carries the span and the place of its chart cell.
+std::optional<Program> lower_chart(const Chart&, Diagnostics&);
+/// What a machine would refuse: carriers, racking, needles.
+void check_program(const Program&, Diagnostics&);
+/// Runs the needle beds.
+std::optional<StitchGraph> knit(const Program&, Diagnostics&);
+/// Loops that hold nothing, what would unravel.
+void check_graph(const StitchGraph&, Diagnostics&);
+std::optional<Layout> place(const StitchGraph&, const Chart&, Diagnostics&);
+/// One smooth curve a yarn, through the right side of each loop.
+std::optional<Curves> thread(const Layout&, const Chart&, Diagnostics&);
+/// Equal arc length, spline through the points; `segments_per_stitch` at least 6.
+std::optional<Fabric> fit(const Curves&, const Chart&, int segments_per_stitch, Diagnostics&);
+
+}  // namespace wale::passes

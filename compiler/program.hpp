@@ -1,0 +1,46 @@
+/// What a V-bed machine is told, one needle at a time.
+#pragma once
+
+#include <compare>
+#include <string>
+#include <vector>
+
+#include "compiler/source.hpp"
+
+namespace wale {
+
+enum class Bed : std::uint8_t { front, back, front_slider, back_slider };
+struct Needle {
+  Bed bed = Bed::front;
+  int index = 0;
+  auto operator<=>(const Needle&) const = default;
+};
+enum class Op : std::uint8_t { in, inhook, releasehook, out, outhook, knit, tuck, split, miss, rack, stitch, pause };
+enum class Direction : std::uint8_t { none, increasing, decreasing };
+
+/// The cell of a chart for which an instruction stands; -1 in a machine's own program.
+struct ChartCell {
+  int course = -1, wale = -1;
+  auto operator<=>(const ChartCell&) const = default;
+};
+
+struct Instruction {  ///< drop, amiss, xfer are knit, tuck, split without carriers, as the knitout specification has it
+  Op op = Op::pause;
+  Direction direction = Direction::none;
+  Needle needle, other;        ///< `other` for split and xfer: where loops go
+  std::vector<int> carriers;   ///< indices into Program::carriers; several knit as one (plating)
+  double value[2] = {0, 0};    ///< rack R; stitch L T
+  ChartCell cell;
+  double stitch_length = 0;    ///< yarn length of the loop made, m; 0 if the program does not say
+  Span span;
+};
+
+struct Program {
+  std::vector<std::string> carriers;
+  std::vector<Instruction> code;
+};
+
+/// One instruction a line, in knitout's words; what `--show program` prints.
+std::string print(const Program&);
+
+}  // namespace wale

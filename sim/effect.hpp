@@ -1,0 +1,43 @@
+/// The contract of the physics: what acts on the yarns, and what a caller may ask of it.
+#pragma once
+
+#include <string_view>
+
+#include "sim/fabric.hpp"
+#include "sim/stiffness.hpp"
+
+namespace wale {
+
+/// All that must be saved to go on: nothing else carries memory.
+struct State {
+  double t = 0;     ///< s; for a quasi-static solver the load parameter
+  Points q, v;      ///< control points, m, and their velocities, m/s (3 x M)
+  double step = 0;  ///< the solver's next step, s; 0 lets it choose
+};
+
+/// What a caller wants to know. A null member is not wanted, and costs nothing.
+struct Load {
+  double* energy = nullptr;        ///< V, J
+  Points* force = nullptr;         ///< -dV/dq - dD/dv, N, 3 x M
+  Stiffness* stiffness = nullptr;  ///< second derivative of V by q, N/m
+  Stiffness* damping = nullptr;    ///< second derivative of D by v, N s/m
+  double* dissipation = nullptr;   ///< D, W: the Rayleigh function; power lost is 2 D
+  bool convex = false;             ///< leave out of the stiffness what would make it indefinite (Gauss-Newton)
+};
+
+/// Something that acts on the yarns: a stiffness, a contact, a grip, the air.
+///
+/// An effect is a function of the instant: same state, same answer, bit for bit, whatever was asked before and by
+/// however many threads. It adds to what the Load holds; it never clears it. The sum of the columns of its force
+/// is the true force, because the basis sums to one.
+class Effect {
+ public:
+  virtual ~Effect() = default;
+  virtual std::string_view name() const = 0;               ///< "stretch", "grip.top": in results and messages
+  virtual void prepare(const State&) {}                    ///< bring caches up to date; cheap when little moved
+  virtual void add(const State& at, Load& out) const = 0;  ///< the physics
+  /// The smallest distance between yarns over their contact diameter, as `prepare` saw it; infinite if not looked at.
+  virtual double closest() const;
+};
+
+}  // namespace wale

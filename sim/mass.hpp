@@ -1,0 +1,34 @@
+/// The banded mass matrix of every yarn, factored once.
+#pragma once
+
+#include <vector>
+
+#include "sim/fabric.hpp"
+
+namespace wale {
+
+/// The unit mass matrix M_kj = ∫ b_k b_j ds of a yarn (Ding et al. 2023, Eq. 9), weighted a segment by `weight`
+/// (all ones gives Table A.2), in LAPACK's lower band storage with 3 subdiagonals: 4 rows, n + 3 columns.
+Eigen::MatrixXd mass_band(const std::vector<double>& weight);
+
+/// rho l0 M of all yarns. M is symmetric positive definite and banded, so it is factored by dpbtrf, which needs
+/// half the work and storage of dgbtrf and no pivoting.
+class Mass {
+ public:
+  explicit Mass(const Fabric&);
+  /// b := M⁻¹ b, in place; 3 x M columns.
+  void solve(Points& b) const;
+  /// M v.
+  Points times(const Points& v) const;
+  /// ½ v·M v, J.
+  double kinetic_energy(const Points& v) const;
+
+ private:
+  struct Band {
+    int first_point = 0;
+    Eigen::MatrixXd matrix, factor;
+  };
+  std::vector<Band> yarns_;
+};
+
+}  // namespace wale

@@ -1,0 +1,135 @@
+/// What a scene may call for, on one page: effects, solvers, stages.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/fabric.hpp"
+#include "sim/schedule.hpp"
+
+namespace wale {
+
+/// V = ½ EA l ∫ (|y'|/l - 1)² ds (Ding et al. 2023, Eq. 12).
+struct Stretch {
+  int nodes = 1;  ///< Gauss nodes a segment: 1 avoids membrane locking, 3 is the paper's exact integral
+};
+/// V = ½ EI l ∫ κ² ds (Eqs. 13, 14).
+struct Bend {
+  int nodes = 3;  ///< Gauss nodes a segment
+};
+/// V = -rho l0 ∫ y·g ds (Eq. 15, sign corrected).
+struct Gravity {
+  Vec3 acceleration{0, -9.81, 0};  ///< g, m/s²
+};
+/// D = k_g l ∫ |v|² ds (Eq. 16, with the factor l).
+struct Drag {
+  double coefficient = 0.02;  ///< k_g, kg/(m s)
+};
+/// Yarns push each other apart; law, stiffness and diameter are the material's (Eqs. 17-20).
+struct Contact {
+  double sampling = 0.03;       ///< α of Eq. (A.5): sets the number of beads a segment
+  double screening = 1.6;       ///< β: beads of one yarn nearer along it than β d do not touch
+  bool inflate_beads = false;   ///< the paper's option: d_con of Eq. (A.4) in the sum instead of d
+};
+/// Viscous damping where yarns touch (Eqs. 19, 21); not friction.
+struct ContactDamping {
+  double tangential = 0;  ///< k_dt, N s/m³
+  double normal = 0;      ///< k_dn, N s/m³
+  double sampling = 0.03, screening = 1.6;
+};
+/// V = k_t l0 ∫ |W (y - F(y_ref, t))|² ds over some segments (Eq. A.6); y_ref is where the stage begins.
+/// F scales about `centre` and moves: F(y, t) = centre + S (y - centre) + u, S = 1 + p(t) (scale - 1), u = p(t) move.
+struct Tether {
+  std::string label = "tether";
+  std::vector<int> segments;
+  double stiffness = 1e4;     ///< k_t, N/m²
+  Vec3 axes{1, 1, 1};         ///< W: 1 holds along that axis, 0 leaves it free
+  Vec3 centre{0, 0, 0};       ///< m
+  Vec3 scale{1, 1, 1};        ///< at p = 1
+  Vec3 move{0, 0, 0};         ///< at p = 1, m
+  Schedule progress = 0.0;    ///< p(t)
+};
+/// Two smooth plates a distance apart keep a swatch flat, as one lays it on a table:
+/// V = k_p l0 ∫ max(0, |z| - gap/2)² ds.
+struct Plates {
+  double stiffness = 1e4;  ///< k_p, N/m²
+  double gap = 2e-3;       ///< m, between the planes that the yarn axes may not pass
+};
+
+using EffectSpec = std::variant<Stretch, Bend, Gravity, Drag, Contact, ContactDamping, Tether, Plates>;
+
+/// Explicit Runge-Kutta 4(3), adaptive (Ding et al. 2023, A.1; Hairer, Nørsett & Wanner I, II.4).
+struct RungeKutta {
+  double relative = 1e-4;     ///< error per step over the size of the state
+  double absolute = 1e-8;     ///< m, and m/s for velocities
+  double first_step = 0;      ///< s; 0: Hairer's choice
+};
+/// Equilibrium after equilibrium, by Levenberg-Marquardt on the energy.
+struct QuasiStatic {
+  double tolerance = 1e-3;      ///< largest residual force on a control point, over the bending force scale EI/(10 d)²
+  int iterations = 200;         ///< a load step that needs more is halved
+  double first_step = 0;        ///< in units of the stage's duration; 0: as the samples ask
+  double smallest_step = 1e-5;  ///< in units of the stage's duration: below this the solve has failed
+};
+using SolverSpec = std::variant<QuasiStatic, RungeKutta>;
+
+enum class Along : std::uint8_t { wale, course };
+
+/// Pull the two ends apart, to an engineering strain.
+struct Pull {
+  Along along = Along::wale;
+  double strain = 0.6;  ///< 0.6 is 60 %
+};
+
+enum class Hold : std::uint8_t { none, ends };
+
+struct Stage {
+  std::string name = "run";          ///< "tighten", "relax", "pull": in results and messages
+  double duration = 1;               ///< s; quasi-static: the load parameter's range
+  int samples = 10;                  ///< snapshots at even intervals, the last one at the end
+  std::optional<double> tighten;     ///< rest lengths go to this share of the way from `length` to `knitted`
+  Hold hold = Hold::none;            ///< `ends`: cast-on and bind-off are held and shrink with the rest length
+  std::optional<Pull> pull;
+  double grip_stiffness = 1e4;       ///< k_t of the tethers of `hold` and `pull`, N/m²
+  std::vector<EffectSpec> effects;   ///< what is not here is not simulated
+  SolverSpec solver;
+};
+
+/// How the fabric is measured: the two ends that are gripped, along either direction, and its reference section.
+struct Gauge {
+  std::array<std::vector<int>, 2> wale_ends;    ///< segments of the bottom and the top grip
+  std::array<std::vector<int>, 2> course_ends;  ///< segments of the left and the right grip
+  int wales = 0, courses = 0;
+  double thickness = 0;  ///< 2r of sigma = F / (2r S_R), m
+};
+
+/// One yarn end held by a linear constraint; used by rod problems, not by swatches.
+struct Clamp {
+  int yarn = 0;
+  bool at_end = false;     ///< false: the yarn's start, true: its end
+  bool position = true;    ///< hold y
+  bool direction = false;  ///< hold the direction of y' (its length stays free)
+};
+
+/// A leg of one loop that the stitch graph demands to pass through another loop, as segment ranges [first, last].
+/// `sign` is the side from which it comes: see sim/results/topology.hpp.
+struct Crossing {
+  int leg_first = 0, leg_last = 0;
+  int loop_first = 0, loop_last = 0;
+  int sign = 0;
+  bool operator==(const Crossing&) const = default;
+};
+
+struct Scene {
+  std::string name;
+  Fabric fabric;
+  std::vector<Stage> stages;
+  Gauge gauge;
+  std::vector<Clamp> clamps;
+  std::vector<Crossing> crossings;
+};
+
+}  // namespace wale

@@ -1,0 +1,37 @@
+/// The contract of time: a solver moves a State on, one accepted step at a time.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim/effect.hpp"
+#include "sim/scene.hpp"
+
+namespace wale {
+
+class World;
+
+enum class Progress { stepped, arrived, failed };
+
+/// What a run has cost so far.
+struct Effort {
+  long accepted = 0, rejected = 0, evaluations = 0, factorizations = 0;
+  std::string failure;  ///< one sentence, when advance() answered `failed`
+};
+
+/// A solver is made from a World and a State, and owns that state while it lives. It keeps no other memory
+/// that would change the answer: a solver made from state() goes on as this one would.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  virtual Progress advance(double until) = 0;   ///< one accepted step, never past `until`, s
+  virtual const State& state() const = 0;       ///< after the last accepted step
+  virtual State at(double t) const = 0;         ///< within the last step, to the solver's own order
+  virtual const Effort& effort() const = 0;
+};
+
+/// `world` must outlive the solver.
+std::unique_ptr<Solver> make(const RungeKutta&, World& world, State);
+std::unique_ptr<Solver> make(const QuasiStatic&, World& world, State);
+
+}  // namespace wale
