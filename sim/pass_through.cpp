@@ -1,5 +1,7 @@
 #include "sim/pass_through.hpp"
 
+#include <Eigen/Geometry>
+
 #include "sim/polyline.hpp"
 
 namespace wale {
