@@ -1,0 +1,73 @@
+/// The contact beads along all yarns, and which segments are near enough for their beads to touch.
+#pragma once
+
+#include <vector>
+
+#include "sim/effect.hpp"
+#include "sim/parts.hpp"
+#include "sim/spline.hpp"
+
+namespace wale {
+
+/// Beads a segment: n = ⌈l / (d √(6α(1+α)))⌉ (Ding et al. 2023, Eq. A.5).
+int beads_per_segment(double rest_length, double diameter, double alpha);
+/// Bead diameter whose envelope has mean diameter d, for beads D apart: (d + √(d² + ⅔ D²)) / 2 (Eq. A.4).
+double inflated_diameter(double diameter, double spacing);
+
+/// Two segments some of whose beads may touch.
+struct SegmentPair {
+  int a = 0, b = 0;  ///< a < b
+};
+
+/// Spheres evenly spaced at s = (2i - 1) / (2n) along every segment, and the list of segment pairs in reach of each
+/// other. The list holds a skin, so that it stays good until some bead has moved half of it.
+class Beads {
+ public:
+  Beads(const Fabric&, double alpha, double screening);
+
+  /// Renews the list if beads have moved too far since it was made. Finds the closest pair.
+  void prepare(const Points& q);
+
+  /// In ascending (a, b).
+  const std::vector<SegmentPair>& pairs() const { return pairs_; }
+  /// Smallest bead distance over contact diameter at the last prepare().
+  double closest() const { return closest_; }
+
+  int count(int segment) const { return bead_count_[index(segment)]; }
+  int total() const { return static_cast<int>(arc_.size()); }
+  const Basis& basis_of(int segment, int bead) const { return bases_[index(count(segment))][index(bead)]; }
+  Vec3 position(const Points& q, int segment, int bead) const {
+    return combine(q, fabric_.first_point(segment), basis_of(segment, bead).value);
+  }
+  /// Beads of one yarn nearer along it than the screening length do not touch (Ding et al. 2023, A.3).
+  bool screened(int a, int bead_a, int b, int bead_b) const {
+    if (fabric_.segment(a).yarn != fabric_.segment(b).yarn) return false;
+    return std::abs(arc(b, bead_b) - arc(a, bead_a)) < screening_ * diameter(a, b);
+  }
+  /// Contact diameter of two segments: the mean of both, m.
+  double diameter(int a, int b) const {
+    return (fabric_.material_of(a).diameter + fabric_.material_of(b).diameter) / 2;
+  }
+  const Fabric& fabric() const { return fabric_; }
+
+ private:
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  double arc(int segment, int bead) const { return arc_[index(first_bead_[index(segment)] + bead)]; }
+  void locate(const Points& q, Points& out) const;
+  void find_pairs(const Points& at);
+  bool within_reach(const Points& at, int a, int b) const;
+  double closest_of(const Points& at, const SegmentPair&) const;
+
+  const Fabric& fabric_;
+  double screening_;
+  double skin_ = 0;   // m
+  double reach_ = 0;  // m, largest diameter plus skin
+  std::vector<int> bead_count_, first_bead_, segment_of_;
+  std::vector<double> arc_;                // bead positions along their yarn, knitted length, m
+  std::vector<std::vector<Basis>> bases_;  // by bead count
+  std::vector<SegmentPair> pairs_;
+  Points listed_at_;                       // beads when the list was made
+  double closest_ = 0;
+};
+
+}  // namespace wale

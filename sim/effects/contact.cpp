@@ -1,0 +1,37 @@
+#include "sim/effects/between_yarns.hpp"
+#include "sim/effects/contact_law.hpp"
+
+namespace wale {
+namespace {
+
+/// f(|y_a - y_b| / d), Ding et al. 2023, Eqs. (17)-(20).
+struct Repulsion {
+  static constexpr bool elastic = true;
+  bool inflate = false;
+  std::string_view name() const { return "contact"; }
+  double diameter(double d, double spacing_a, double spacing_b) const {
+    return inflate ? (inflated_diameter(d, spacing_a) + inflated_diameter(d, spacing_b)) / 2 : d;
+  }
+
+  void operator()(const Touch& touch, Push& push, bool second, bool convex) const {
+    const double distance = touch.apart.norm(), d = touch.diameter;
+    const Penalty f = penalty(*touch.a, *touch.b, distance / d);
+    const Vec3 n = touch.apart / distance;
+    push.energy = touch.weight * f.value;
+    push.on_a = -touch.weight * f.first / d * n;
+    if (!second) return;
+    const Mat3 normal = n * n.transpose();
+    push.stiffness = touch.weight * f.second / (d * d) * normal;
+    // The push lets the beads slip sideways off each other: negative geometric stiffness.
+    if (!convex) push.stiffness += touch.weight * f.first / (d * distance) * (Mat3::Identity() - normal);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Effect> make(const Contact& spec, Parts& parts) {
+  return std::make_unique<BetweenYarns<Repulsion>>(Repulsion{spec.inflate_beads}, parts,
+                                                   parts.beads(spec.sampling, spec.screening));
+}
+
+}  // namespace wale

@@ -1,0 +1,45 @@
+#include "sim/solvers/explicit_stepper.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace wale {
+
+ExplicitStepper::ExplicitStepper(const Tableau& tableau, Slope f, double t, Eigen::VectorXd y)
+    : tableau_(tableau), f_(std::move(f)), t_(t), next_t_(t), last_t_(t), y_(std::move(y)), next_(y_), last_y_(y_) {
+  stages_.assign(tableau.c.size(), Eigen::VectorXd::Zero(y_.size()));
+  error_ = stages_.front();
+  f_(t_, y_, stages_.front());
+  last_slope_ = stages_.front();
+}
+
+void ExplicitStepper::attempt(double to) {
+  const double h = to - t_;
+  next_t_ = to;
+  for (std::size_t i = 1; i < stages_.size(); ++i) {
+    next_ = y_;
+    for (std::size_t j = 0; j < tableau_.a[i].size(); ++j) next_ += (h * tableau_.a[i][j]) * stages_[j];
+    // The last stage opens the next step, so its time must be that step's to the last bit.
+    f_(tableau_.c[i] == 1 ? to : t_ + tableau_.c[i] * h, next_, stages_[i]);
+  }
+  error_.setZero();
+  for (std::size_t i = 0; i < stages_.size(); ++i) error_ += (h * tableau_.error[i]) * stages_[i];
+}
+
+void ExplicitStepper::accept() {
+  last_t_ = t_;
+  last_y_ = y_;
+  last_slope_ = stages_.front();
+  t_ = next_t_;
+  y_ = next_;
+  stages_.front() = stages_.back();
+}
+
+Eigen::VectorXd ExplicitStepper::at(double t) const {
+  const double h = t_ - last_t_;
+  if (h <= 0 || t >= t_) return y_;
+  const double s = std::max(0.0, (t - last_t_) / h), r = 1 - s;
+  return r * r * (1 + 2 * s) * last_y_ + s * s * (3 - 2 * s) * y_ + h * s * r * (r * last_slope_ - s * slope());
+}
+
+}  // namespace wale

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/solver.hpp"
+#include "sim/solvers/explicit_stepper.hpp"
+#include "sim/solvers/step_control.hpp"
+#include "sim/world.hpp"
+
+namespace wale {
+
+namespace {
+
+/// Positions, then velocities.
+Eigen::VectorXd pack(const State& state) {
+  Eigen::VectorXd y(2 * state.q.size());
+  y << state.q.reshaped(), state.v.reshaped();
+  return y;
+}
+
+void unpack(const Eigen::VectorXd& y, State& state) {
+  const Eigen::Index points = y.size() / 6;
+  state.q = Eigen::Map<const Points>(y.data(), 3, points);
+  state.v = Eigen::Map<const Points>(y.data() + 3 * points, 3, points);
+}
+
+class RungeKuttaSolver final : public Solver {
+ public:
+  RungeKuttaSolver(const RungeKutta& spec, World& world, State start)
+      : spec_(spec),
+        tolerance_{spec.relative, spec.absolute},
+        world_(world),
+        state_(std::move(start)),
+        stage_(state_),
+        f_([this](double t, const Eigen::VectorXd& y, Eigen::VectorXd& slope) { evaluate(t, y, slope); }),
+        stepper_(tableau_, f_, state_.t, pack(state_)) {}
+  RungeKuttaSolver(const RungeKuttaSolver&) = delete;
+  RungeKuttaSolver& operator=(const RungeKuttaSolver&) = delete;
+
+  Progress advance(double until) override {
+    if (state_.t >= until) return Progress::arrived;
+    if (!stepper_.slope().allFinite()) return fail("the forces are not finite");
+    if (!(state_.step > 0)) state_.step = choose_first_step();
+    double largest_factor = 3;
+    for (;;) {
+      // A step that would leave less than a hundredth of itself goes all the way.
+      const bool last = state_.t + 1.01 * state_.step >= until;
+      if (!last && state_.step <= 1e-14 * std::abs(state_.t) + std::numeric_limits<double>::min())
+        return fail("the time step shrank to nothing");
+      const double to = last ? until : state_.t + state_.step;
+      stepper_.attempt(to);
+      const double error = scaled_error(stepper_.attempted(), stepper_.error(), tolerance_);
+      const double proposed = (to - state_.t) * std::min(largest_factor, step_factor(error, tableau_.error_order));
+      if (error <= 1 && stepper_.attempted().allFinite()) {
+        accept(last ? std::max(proposed, state_.step) : proposed);
+        return state_.t >= until ? Progress::arrived : Progress::stepped;
+      }
+      ++effort_.rejected;
+      state_.step = proposed;
+      largest_factor = 1;
+    }
+  }
+
+  const State& state() const override { return state_; }
+
+  State at(double t) const override {
+    State result = state_;
+    unpack(stepper_.at(t), result);
+    result.t = t;
+    return result;
+  }
+
+  const Effort& effort() const override { return effort_; }
+
+ private:
+  void evaluate(double t, const Eigen::VectorXd& y, Eigen::VectorXd& slope) {
+    ++effort_.evaluations;
+    stage_.t = t;
+    unpack(y, stage_);
+    world_.accelerate(stage_, acceleration_);
+    slope << stage_.v.reshaped(), acceleration_.reshaped();
+  }
+
+  double choose_first_step() {
+    if (spec_.first_step > 0) return spec_.first_step;
+    return first_step(f_, state_.t, stepper_.y(), stepper_.slope(), tableau_.order, tolerance_);
+  }
+
+  /// `next` is what the error control wants; where the end of a stage cut this step short, it is not the cut one.
+  void accept(double next) {
+    stepper_.accept();
+    unpack(stepper_.y(), state_);
+    state_.t = stepper_.t();
+    state_.step = next;
+    ++effort_.accepted;
+  }
+
+  Progress fail(const char* why) {
+    effort_.failure = fmt::format("{} at t = {:.6g} s", why, state_.t);
+    return Progress::failed;
+  }
+
+  RungeKutta spec_;
+  Tolerance tolerance_;
+  World& world_;
+  const Tableau& tableau_ = classic43();
+  State state_, stage_;
+  Points acceleration_;
+  Effort effort_;
+  Slope f_;
+  ExplicitStepper stepper_;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make(const RungeKutta& spec, World& world, State state) {
+  return std::make_unique<RungeKuttaSolver>(spec, world, std::move(state));
+}
+
+}  // namespace wale

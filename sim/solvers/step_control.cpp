@@ -1,0 +1,40 @@
+#include "sim/solvers/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wale {
+
+namespace {
+
+double rms(const Eigen::ArrayXd& values) {
+  return std::sqrt(values.square().sum() / static_cast<double>(std::max<Eigen::Index>(1, values.size())));
+}
+
+}  // namespace
+
+double scaled_error(const Eigen::VectorXd& y, const Eigen::VectorXd& error, const Tolerance& tolerance) {
+  const Eigen::ArrayXd size = y.array().abs().max((y - error).array().abs());
+  return rms(error.array() / (tolerance.absolute + tolerance.relative * size));
+}
+
+double step_factor(double scaled, int error_order) {
+  if (!std::isfinite(scaled)) return 1.0 / 3;
+  return std::clamp(0.9 * std::pow(scaled, -1.0 / (error_order + 1)), 1.0 / 3, 3.0);
+}
+
+double first_step(const Slope& f, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& slope, int order,
+                  const Tolerance& tolerance) {
+  const Eigen::ArrayXd scale = tolerance.absolute + tolerance.relative * y.array().abs();
+  const double size = rms(y.array() / scale), rate = rms(slope.array() / scale);
+  const double guess = size < 1e-5 || rate < 1e-5 ? 1e-6 : 0.01 * size / rate;
+  Eigen::VectorXd later(y.size());
+  f(t + guess, y + guess * slope, later);
+  const double bend = rms((later - slope).array() / scale) / guess;
+  if (!std::isfinite(bend)) return 1e-3 * guess;
+  const double fastest = std::max(rate, bend);
+  const double step = fastest <= 1e-15 ? std::max(1e-6, 1e-3 * guess) : std::pow(0.01 / fastest, 1.0 / (order + 1));
+  return std::min(100 * guess, step);
+}
+
+}  // namespace wale
