@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "sim/solver.hpp"
 #include "sim/solvers/explicit_stepper.hpp"
