@@ -29,6 +29,7 @@ struct Layout {
   bool cast_on = true, bind_off = true;
 };
 
+/// One loop a line; counts courses and wales from 1. What `--show layout` prints.
 std::string print(const Layout&);
 
 }  // namespace wale

@@ -40,7 +40,11 @@ struct Program {
   std::vector<Instruction> code;
 };
 
-/// One instruction a line, in knitout's words; what `--show program` prints.
+/// `f3`, `b-2`, `fs0`.
+std::string print(const Needle&);
+/// One instruction in knitout's words, without a line end; carriers by the names of `program`.
+std::string print(const Instruction&, const Program& program);
+/// A knitout file, one instruction a line; what `--show program` prints. Its comments count courses from 1.
 std::string print(const Program&);
 
 }  // namespace wale
