@@ -11,6 +11,7 @@ namespace wale::testing {
 struct MadeJersey {
   Fabric fabric;
   std::vector<Crossing> crossings;
+  Gauge gauge;  ///< grips are the outermost loops
   double diameter = 0.524e-3, wale_spacing = 0, course_spacing = 0;
 };
 
@@ -42,6 +43,15 @@ inline MadeJersey made_jersey(int wales, int courses, int per_loop = 16) {
       segment.length = segment.knitted = 4.0 * 1.9 * d / per_loop;
       fabric.segments.push_back(segment);
     }
+  }
+  made.gauge.wales = wales;
+  made.gauge.courses = courses;
+  for (int i = 0; i < fabric.segment_count(); ++i) {
+    const int course = i / segments, wale = i % segments / per_loop;
+    if (course == 0) made.gauge.wale_ends[0].push_back(i);
+    if (course == courses - 1) made.gauge.wale_ends[1].push_back(i);
+    if (wale == 0) made.gauge.course_ends[0].push_back(i);
+    if (wale == wales - 1) made.gauge.course_ends[1].push_back(i);
   }
   for (int course = 1; course < courses; ++course)
     for (int wale = 0; wale < wales; ++wale) {
