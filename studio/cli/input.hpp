@@ -1,0 +1,19 @@
+/// What a user's file is, and reading it.
+#pragma once
+
+#include <string>
+
+#include "compiler/source.hpp"
+
+namespace wale {
+
+enum class FileKind { chart, scene, knitout };
+
+/// By suffix (.k) and by the keys at the left margin: only a scene has `stages:` or `fabric:`.
+FileKind kind_of(const Source&);
+std::string_view name_of(FileKind);
+
+/// Null, and one line on stderr, if the file cannot be read.
+const Source* read_or_complain(Sources&, const std::string& path);
+
+}  // namespace wale

@@ -1,0 +1,29 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <system_error>
+
+#include "studio/cli/commands.hpp"
+#include "studio/cli/exit_code.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app{"From a knitting chart to a stress-strain curve, yarn by yarn.", "wale"};
+  app.set_version_flag("--version", WALE_VERSION);
+  app.require_subcommand(1);
+  int exit_code = wale::success;
+  wale::add_check(app, exit_code);
+  wale::add_compile(app, exit_code);
+  wale::add_run(app, exit_code);
+  wale::add_curve(app, exit_code);
+  wale::add_patterns(app, exit_code);
+  wale::add_explain(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? wale::success : wale::bad_input;
+  } catch (const std::system_error& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return wale::bad_input;
+  }
+  return exit_code;
+}

@@ -1,0 +1,22 @@
+/// Diagnostics and graphs, as the command line shows them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "compiler/compile.hpp"
+
+namespace wale {
+
+/// To stderr, in the order reported, each once.
+void print_all(const Diagnostics&);
+
+/// `[{severity, code, file, line, column, message, hint}]`
+nlohmann::ordered_json to_json(const Diagnostics&);
+
+/// Counts of a compiled chart: instructions, loops, edges, knits, what is left on the needles, ...
+nlohmann::ordered_json counts(const Compiled&);
+
+/// `[{id, carrier, direction, needle, line, op, parents, previous}]`, ids in the order made.
+nlohmann::ordered_json loops_json(const StitchGraph&);
+
+}  // namespace wale
