@@ -5,12 +5,12 @@
 
 namespace wale {
 
-ExplicitStepper::ExplicitStepper(const Tableau& tableau, Slope f, double t, Eigen::VectorXd y)
+ExplicitStepper::ExplicitStepper(const Tableau& tableau, RateFunction f, double t, Eigen::VectorXd y)
     : tableau_(tableau), f_(std::move(f)), t_(t), next_t_(t), last_t_(t), y_(std::move(y)), next_(y_), last_y_(y_) {
   stages_.assign(tableau.c.size(), Eigen::VectorXd::Zero(y_.size()));
   error_ = stages_.front();
   f_(t_, y_, stages_.front());
-  last_slope_ = stages_.front();
+  last_rate_ = stages_.front();
 }
 
 void ExplicitStepper::attempt(double to) {
@@ -29,7 +29,7 @@ void ExplicitStepper::attempt(double to) {
 void ExplicitStepper::accept() {
   last_t_ = t_;
   last_y_ = y_;
-  last_slope_ = stages_.front();
+  last_rate_ = stages_.front();
   t_ = next_t_;
   y_ = next_;
   stages_.front() = stages_.back();
@@ -39,7 +39,7 @@ Eigen::VectorXd ExplicitStepper::at(double t) const {
   const double h = t_ - last_t_;
   if (h <= 0 || t >= t_) return y_;
   const double s = std::max(0.0, (t - last_t_) / h), r = 1 - s;
-  return r * r * (1 + 2 * s) * last_y_ + s * s * (3 - 2 * s) * y_ + h * s * r * (r * last_slope_ - s * slope());
+  return r * r * (1 + 2 * s) * last_y_ + s * s * (3 - 2 * s) * y_ + h * s * r * (r * last_rate_ - s * rate());
 }
 
 }  // namespace wale

@@ -9,18 +9,18 @@
 
 namespace wale {
 
-/// slope := f(t, y), of the size of y.
-using Slope = std::function<void(double t, const Eigen::VectorXd& y, Eigen::VectorXd& slope)>;
+/// rate := f(t, y), of the size of y.
+using RateFunction = std::function<void(double t, const Eigen::VectorXd& y, Eigen::VectorXd& rate)>;
 
 class ExplicitStepper {
  public:
   /// `tableau` must outlive the stepper. Evaluates f once.
-  ExplicitStepper(const Tableau& tableau, Slope f, double t, Eigen::VectorXd y);
+  ExplicitStepper(const Tableau& tableau, RateFunction f, double t, Eigen::VectorXd y);
 
   double t() const { return t_; }
   const Eigen::VectorXd& y() const { return y_; }
   /// f(t, y).
-  const Eigen::VectorXd& slope() const { return stages_.front(); }
+  const Eigen::VectorXd& rate() const { return stages_.front(); }
 
   /// Computes the step from t() to `to`; t() and y() stay until it is accepted.
   void attempt(double to);
@@ -34,9 +34,9 @@ class ExplicitStepper {
 
  private:
   const Tableau& tableau_;
-  Slope f_;
+  RateFunction f_;
   double t_, next_t_, last_t_;
-  Eigen::VectorXd y_, next_, error_, last_y_, last_slope_;
+  Eigen::VectorXd y_, next_, error_, last_y_, last_rate_;
   std::vector<Eigen::VectorXd> stages_;
 };
 

@@ -35,14 +35,14 @@ class RungeKuttaSolver final : public Solver {
         world_(world),
         state_(std::move(start)),
         stage_(state_),
-        f_([this](double t, const Eigen::VectorXd& y, Eigen::VectorXd& slope) { evaluate(t, y, slope); }),
+        f_([this](double t, const Eigen::VectorXd& y, Eigen::VectorXd& rate) { evaluate(t, y, rate); }),
         stepper_(tableau_, f_, state_.t, pack(state_)) {}
   RungeKuttaSolver(const RungeKuttaSolver&) = delete;
   RungeKuttaSolver& operator=(const RungeKuttaSolver&) = delete;
 
   Progress advance(double until) override {
     if (state_.t >= until) return Progress::arrived;
-    if (!stepper_.slope().allFinite()) return fail("the forces are not finite");
+    if (!stepper_.rate().allFinite()) return fail("the forces are not finite");
     if (!(state_.step > 0)) state_.step = choose_first_step();
     double largest_factor = 3;
     for (;;) {
@@ -76,17 +76,17 @@ class RungeKuttaSolver final : public Solver {
   const Effort& effort() const override { return effort_; }
 
  private:
-  void evaluate(double t, const Eigen::VectorXd& y, Eigen::VectorXd& slope) {
+  void evaluate(double t, const Eigen::VectorXd& y, Eigen::VectorXd& rate) {
     ++effort_.evaluations;
     stage_.t = t;
     unpack(y, stage_);
     world_.accelerate(stage_, acceleration_);
-    slope << stage_.v.reshaped(), acceleration_.reshaped();
+    rate << stage_.v.reshaped(), acceleration_.reshaped();
   }
 
   double choose_first_step() {
     if (spec_.first_step > 0) return spec_.first_step;
-    return first_step(f_, state_.t, stepper_.y(), stepper_.slope(), tableau_.order, tolerance_);
+    return first_step(f_, state_.t, stepper_.y(), stepper_.rate(), tableau_.order, tolerance_);
   }
 
   /// `next` is what the error control wants; where the end of a stage cut this step short, it is not the cut one.
@@ -110,7 +110,7 @@ class RungeKuttaSolver final : public Solver {
   State state_, stage_;
   Points acceleration_;
   Effort effort_;
-  Slope f_;
+  RateFunction f_;
   ExplicitStepper stepper_;
 };
 

@@ -23,16 +23,16 @@ double step_factor(double scaled, int error_order) {
   return std::clamp(0.9 * std::pow(scaled, -1.0 / (error_order + 1)), 1.0 / 3, 3.0);
 }
 
-double first_step(const Slope& f, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& slope, int order,
+double first_step(const RateFunction& f, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& rate, int order,
                   const Tolerance& tolerance) {
   const Eigen::ArrayXd scale = tolerance.absolute + tolerance.relative * y.array().abs();
-  const double size = rms(y.array() / scale), rate = rms(slope.array() / scale);
-  const double guess = size < 1e-5 || rate < 1e-5 ? 1e-6 : 0.01 * size / rate;
+  const double size = rms(y.array() / scale), speed = rms(rate.array() / scale);
+  const double guess = size < 1e-5 || speed < 1e-5 ? 1e-6 : 0.01 * size / speed;
   Eigen::VectorXd later(y.size());
-  f(t + guess, y + guess * slope, later);
-  const double bend = rms((later - slope).array() / scale) / guess;
+  f(t + guess, y + guess * rate, later);
+  const double bend = rms((later - rate).array() / scale) / guess;
   if (!std::isfinite(bend)) return 1e-3 * guess;
-  const double fastest = std::max(rate, bend);
+  const double fastest = std::max(speed, bend);
   const double step = fastest <= 1e-15 ? std::max(1e-6, 1e-3 * guess) : std::pow(0.01 / fastest, 1.0 / (order + 1));
   return std::min(100 * guess, step);
 }

@@ -16,8 +16,8 @@ double scaled_error(const Eigen::VectorXd& y, const Eigen::VectorXd& error, cons
 /// if `scaled` is not a number (Hairer, Nørsett & Wanner I, II.4).
 double step_factor(double scaled, int error_order);
 
-/// A first step from `y`, where f is `slope`, for a method of this order; one evaluation (ibid., "starting step size").
-double first_step(const Slope& f, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& slope, int order,
+/// A first step from `y`, where f is `rate`, for a method of this order; one evaluation (ibid., "starting step size").
+double first_step(const RateFunction& f, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& rate, int order,
                   const Tolerance&);
 
 }  // namespace wale
