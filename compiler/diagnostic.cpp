@@ -1,0 +1,76 @@
+#include "compiler/diagnostic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace wale {
+namespace {
+
+constexpr std::size_t widest_excerpt = 110;  // bytes of a source line that are shown
+
+std::string_view word(Severity severity) {
+  switch (severity) {
+    case Severity::note: return "note";
+    case Severity::warning: return "warning";
+    case Severity::error: return "error";
+  }
+  return {};
+}
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
+
+std::size_t characters(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));
+}
+
+/// The source line with carets under the span; long lines are cut around it.
+std::string excerpt(const Span& span) {
+  const std::string_view text = span.source->text;
+  const std::size_t begin = std::min<std::size_t>(span.begin, text.size());
+  const std::size_t line_begin = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
+  std::size_t line_end = std::min(text.find('\n', begin), text.size());
+  if (line_end > line_begin && text[line_end - 1] == '\r') --line_end;
+
+  std::size_t first = line_begin;
+  if (begin - first > widest_excerpt * 2 / 3) first = begin - widest_excerpt / 2;
+  while (first < begin && continues_character(text[first])) ++first;
+  std::size_t last = std::min(line_end, first + widest_excerpt);
+  while (last < line_end && continues_character(text[last])) ++last;
+
+  const std::size_t end = std::clamp<std::size_t>(span.end, std::min(begin, last), last);
+  const std::string_view before = text.substr(first, begin - first);
+  const std::string_view marked = text.substr(begin, end - std::min(begin, end));
+  std::string shown{text.substr(first, last - first)};
+  std::replace(shown.begin(), shown.end(), '\t', ' ');
+  return fmt::format("    {}\n    {}{}\n", shown, std::string(characters(before), ' '),
+                     std::string(std::max<std::size_t>(1, characters(marked)), '^'));
+}
+
+}  // namespace
+
+void Diagnostics::error(std::string_view code, Span span, std::string message, std::string hint) {
+  report({Severity::error, code, span, std::move(message), std::move(hint)});
+}
+
+void Diagnostics::warning(std::string_view code, Span span, std::string message, std::string hint) {
+  report({Severity::warning, code, span, std::move(message), std::move(hint)});
+}
+
+bool Diagnostics::failed() const {
+  return std::any_of(all_.begin(), all_.end(), [](const Diagnostic& one) { return one.severity == Severity::error; });
+}
+
+std::string print(const Diagnostic& diagnostic) {
+  std::string text;
+  if (diagnostic.span.source) {
+    const LineColumn place = locate(diagnostic.span);
+    text = fmt::format("{}:{}:{}: ", diagnostic.span.source->name, place.line, place.column);
+  }
+  text += fmt::format("{}: {} [{}]\n", word(diagnostic.severity), diagnostic.message, diagnostic.code);
+  if (diagnostic.span.source) text += excerpt(diagnostic.span);
+  if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", diagnostic.hint);
+  return text;
+}
+
+}  // namespace wale

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/fields.hpp"
+#include "compiler/front/chart_parts.hpp"
+#include "compiler/passes.hpp"
+
+namespace wale::passes {
+namespace {
+
+long count_errors(const Diagnostics& say) {
+  return std::count_if(say.all().begin(), say.all().end(),
+                       [](const Diagnostic& one) { return one.severity == Severity::error; });
+}
+
+bool is_chart(const YamlNode& root, Diagnostics& say) {
+  const YamlNode* version = root.find("knit");
+  if (version && version->text == "1") return true;
+  const Span start{root.span.source, 0, 0};
+  if (version) {
+    say.error("C001", version->span, "this chart is of a version that nobody knows", "write `knit: 1`");
+  } else if (root.find("scene")) {
+    say.error("C001", start, "this is a scene, not a chart", "run a scene with `wale run`");
+  } else {
+    say.error("C001", start, "this is not a chart", "begin a chart with `knit: 1`");
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Chart> parse_chart(const Source& source, const ChartOverrides& overrides, Diagnostics& say) {
+  const long errors_before = count_errors(say);
+  const std::optional<YamlNode> root = parse_yaml(source, say);
+  if (!root || !is_chart(*root, say)) return std::nullopt;
+  const Fields fields(*root, "a chart",
+                      {"knit", "name", "form", "wales", "yarns", "symbols", "patterns", "bands", "stitch_length", "gauge",
+                       "edges", "first_row", "view", "colorwork"},
+                      say);
+  const ChartHead head = read_head(*root, overrides, say);
+  const Legend legend = read_legend(*root, say);
+  ChartYarns yarns = read_yarns(*root, say);
+  const Patterns patterns = read_patterns(*root, legend, say);
+  if (overrides.material) {
+    for (ChartYarn& yarn : yarns.yarns) yarn.material = *overrides.material;
+  }
+  fields.require("bands", "add `bands:` with one line a band, as in `- {stitch: jersey, courses: 12}`");
+  std::vector<Band> bands = read_bands(*root, {legend, patterns, yarns}, say);
+  if (count_errors(say) > errors_before) return std::nullopt;
+  return lay_out(head, yarns, std::move(bands), overrides, say);
+}
+
+}  // namespace wale::passes

@@ -1,0 +1,14 @@
+/// Sizes beyond which a chart is taken for a slip of the pen.
+#pragma once
+
+namespace wale::limits {
+
+inline constexpr int most_wales = 10'000;
+inline constexpr int most_courses = 10'000;
+inline constexpr long most_cells = 4'000'000;
+inline constexpr double least_stitch_length = 1e-4, most_stitch_length = 1;  ///< m
+inline constexpr double least_diameter = 1e-6, most_diameter = 0.1;          ///< m
+/// A jersey of hard tubes jams at this stitch length over contact diameter.
+inline constexpr double jamming_ratio = 13.27;
+
+}  // namespace wale::limits
