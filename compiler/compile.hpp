@@ -19,8 +19,9 @@ struct Compiled {
   std::vector<Crossing> crossings;
 };
 
-/// A chart to a fabric. Nothing if an error was reported.
+/// A chart to a fabric. Nothing if an error was reported. `segments_per_stitch` is at least 6.
 std::optional<Compiled> compile_chart(const Source&, const ChartOverrides&, int segments_per_stitch, Diagnostics&);
+std::optional<Compiled> compile_chart(Chart, int segments_per_stitch, Diagnostics&);
 
 /// A scene file, and the chart that it names (read through `sources`, relative to the scene file), to a Scene.
 std::optional<Scene> compile_scene(const Source&, Sources& sources, Diagnostics&);

@@ -1,0 +1,70 @@
+#include "compiler/demand.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace wale {
+namespace {
+
+struct Range {
+  int first = -1, last = -1;
+};
+
+std::map<int, Range> ranges_by_stitch(const Fabric& fabric) {
+  std::map<int, Range> ranges;
+  for (int i = 0; i < fabric.segment_count(); ++i) {
+    Range& range = ranges[fabric.segment(i).stitch];
+    if (range.first < 0) range.first = i;
+    range.last = i;
+  }
+  return ranges;
+}
+
+std::map<int, const PlacedLoop*> by_stitch(const Layout& layout) {
+  std::map<int, const PlacedLoop*> placed;
+  for (const auto& row : layout.rows)
+    for (const PlacedLoop& loop : row) placed[loop.loop] = &loop;
+  return placed;
+}
+
+}  // namespace
+
+std::vector<Crossing> demanded_crossings(const Layout& layout, const Fabric& fabric) {
+  const auto ranges = ranges_by_stitch(fabric);
+  std::vector<Crossing> crossings;
+  for (std::size_t course = 1; course < layout.rows.size(); ++course)
+    for (std::size_t wale = 0; wale < layout.rows[course].size(); ++wale) {
+      const PlacedLoop& child = layout.rows[course][wale];
+      const Range leg = ranges.at(child.loop), loop = ranges.at(layout.rows[course - 1][wale].loop);
+      // A loop knitted from left to right turns clockwise seen from the face: its area vector points away from it.
+      const int facing = layout.from_left[course - 1] ? -1 : 1;
+      const int apex = (leg.first + leg.last + 1) / 2;
+      crossings.push_back({leg.first, apex - 1, loop.first, loop.last, facing * child.sign});
+      crossings.push_back({apex, leg.last, loop.first, loop.last, -facing * child.sign});
+    }
+  return crossings;
+}
+
+Gauge gauge_of(const Layout& layout, const Fabric& fabric) {
+  const auto placed = by_stitch(layout);
+  Gauge gauge;
+  gauge.wales = layout.wales;
+  gauge.courses = layout.courses;
+  const auto stitch_near = [&](int i, int step) {
+    while (i >= 0 && i < fabric.segment_count() && fabric.segment(i).stitch < 0) i += step;
+    const bool beyond = i < 0 || i >= fabric.segment_count();
+    return beyond ? nullptr : placed.at(fabric.segment(i).stitch);
+  };
+  for (int i = 0; i < fabric.segment_count(); ++i) {
+    const PlacedLoop *before = stitch_near(i, -1), *after = stitch_near(i, 1);
+    if (!before || (after && after->course == 0 && before->course == 0)) gauge.wale_ends[0].push_back(i);
+    if (!after || (before && before->course == layout.courses - 1 && after->course == layout.courses - 1))
+      gauge.wale_ends[1].push_back(i);
+    if (layout.form == Form::tube || !before || !after) continue;
+    if (before->wale == 0 && after->wale == 0) gauge.course_ends[0].push_back(i);
+    if (before->wale == layout.wales - 1 && after->wale == layout.wales - 1) gauge.course_ends[1].push_back(i);
+  }
+  return gauge;
+}
+
+}  // namespace wale

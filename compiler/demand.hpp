@@ -1,0 +1,19 @@
+/// What a compiled fabric must keep, and where it is gripped: found from its layout and its segments' stitches.
+#pragma once
+
+#include <vector>
+
+#include "compiler/layout.hpp"
+#include "sim/scene.hpp"
+
+namespace wale {
+
+/// Both legs of every loop that is pulled through another: the leg must pass through that loop from the side that its
+/// sign says.
+std::vector<Crossing> demanded_crossings(const Layout&, const Fabric&);
+
+/// The ends of a swatch: cast-on and first course, last course and bind-off; the first and the last wale with the yarn
+/// that joins courses there. A tube has no course ends.
+Gauge gauge_of(const Layout&, const Fabric&);
+
+}  // namespace wale

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/passes.hpp"
+#include "compiler/passes/arc_length.hpp"
+#include "compiler/passes/interpolate.hpp"
+
+namespace wale::passes {
+namespace {
+
+/// The share of its drawn length that each piece keeps when it is tightened; pieces that belong to no stitch keep what
+/// the stitches keep on average.
+std::vector<double> shrinkage(const YarnCurve& yarn, const ArcLength& arc) {
+  double drawn = 0, wanted = 0;
+  for (std::size_t i = 0; i < yarn.pieces.size(); ++i)
+    if (yarn.pieces[i].stitch_length > 0) {
+      drawn += arc.length_of(i);
+      wanted += yarn.pieces[i].stitch_length;
+    }
+  const double average = drawn > 0 ? wanted / drawn : 1;
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < yarn.pieces.size(); ++i)
+    shares.push_back(yarn.pieces[i].stitch_length > 0 ? yarn.pieces[i].stitch_length / arc.length_of(i) : average);
+  return shares;
+}
+
+double stitch_length_drawn(const YarnCurve& yarn, const ArcLength& arc) {
+  double drawn = 0;
+  int stitches = 0;
+  for (std::size_t i = 0; i < yarn.pieces.size(); ++i)
+    if (yarn.pieces[i].stitch >= 0) {
+      drawn += arc.length_of(i);
+      ++stitches;
+    }
+  return stitches ? drawn / stitches : arc.total();
+}
+
+void fit_yarn(const YarnCurve& curve, int segments_per_stitch, Fabric& fabric) {
+  const ArcLength arc(curve);
+  const int count = std::max(
+      4, static_cast<int>(std::lround(arc.total() / stitch_length_drawn(curve, arc) * segments_per_stitch)));
+  const double length = arc.total() / count;
+  const std::vector<double> shares = shrinkage(curve, arc);
+
+  const int first_point = static_cast<int>(fabric.points.cols());
+  Yarn yarn{first_point, fabric.segment_count(), count};
+  Points through(3, count + 1);
+  for (int k = 0; k <= count; ++k) through.col(k) = arc.at(k * length).y;
+  const Vec3 from = arc.at(0).dy.normalized() * length, to = arc.at(arc.total()).dy.normalized() * length;
+  fabric.points.conservativeResize(3, first_point + count + 3);
+  fabric.points.rightCols(count + 3) = interpolate(through, from, to);
+
+  for (int k = 0; k < count; ++k) {
+    const std::size_t piece = arc.piece_at((k + 0.5) * length);
+    fabric.segments.push_back({static_cast<int>(fabric.yarns.size()), curve.pieces[piece].material,
+                               curve.pieces[piece].stitch, length, length * shares[piece]});
+  }
+  fabric.yarns.push_back(yarn);
+}
+
+}  // namespace
+
+std::optional<Fabric> fit(const Curves& curves, const Chart& chart, int segments_per_stitch, Diagnostics&) {
+  Fabric fabric;
+  fabric.points.resize(3, 0);
+  for (const ChartYarn& yarn : chart.yarns) fabric.materials.push_back(yarn.material);
+  for (const YarnCurve& curve : curves.yarns) fit_yarn(curve, segments_per_stitch, fabric);
+  return fabric;
+}
+
+}  // namespace wale::passes

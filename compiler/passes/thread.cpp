@@ -1,0 +1,212 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compiler/passes.hpp"
+#include "compiler/passes/chain_shape.hpp"
+#include "compiler/passes/strip.hpp"
+
+namespace wale::passes {
+namespace {
+
+using Point = CurvePiece::Point;
+
+constexpr double chain_radius = 1.25;     // of the cast-on and bind-off spirals, in diameters
+constexpr double tightest = 0.98;         // a stitch drawn is at least so much longer than the stitch asked for
+constexpr double outside_of_tube = 2.4;   // how far a tube's last join passes in front of the loop beside it, diameters
+
+/// Draws a layout as one yarn in the strip: cast-on spiral, courses in knitting order joined at the sides, bind-off
+/// spiral. A tube's courses follow each other in x without end.
+class Drawing {
+ public:
+  Drawing(const Layout& layout, LoopSize size, double diameter)
+      : layout_(layout), size_(size), diameter_(diameter), chain_(chain_radius * diameter) {}
+
+  std::vector<CurvePiece> draw() {
+    if (layout_.cast_on) cast_on();
+    for (int course = 0; course < layout_.courses; ++course) {
+      if (!pieces_.empty() && (course == 0 || !tube())) join(course);
+      for (int k = 0; k < layout_.wales; ++k) draw_loop(course, forward(course) ? k : layout_.wales - 1 - k);
+    }
+    if (layout_.bind_off) bind_off();
+    return std::move(pieces_);
+  }
+
+ private:
+  bool tube() const { return layout_.form == Form::tube; }
+  bool forward(int course) const { return layout_.from_left[static_cast<std::size_t>(course)] != 0; }
+  int heading(int course) const { return forward(course) ? 1 : -1; }
+  const PlacedLoop& at(int course, int wale) const {
+    return layout_.rows[static_cast<std::size_t>(course)][static_cast<std::size_t>(wale)];
+  }
+
+  /// Signs of the loop at a wale of a course; beyond the sides of a flat fabric those of the last loop, beyond the
+  /// seam of a tube those of the course that goes on there.
+  LoopSigns signs(int course, int wale) const {
+    if (tube() && (wale < 0 || wale >= layout_.wales)) {
+      const int side = wale < 0 ? -1 : 1;
+      const int next = std::clamp(course + side * heading(course), 0, layout_.courses - 1);
+      return signs(next, wale - side * layout_.wales);
+    }
+    const PlacedLoop& placed = at(course, std::clamp(wale, 0, layout_.wales - 1));
+    return {placed.sign, placed.sign_above};
+  }
+
+  double centre_x(int course, int wale) const {
+    return size_.wale() * (wale + (tube() ? heading(course) * course * layout_.wales : 0));
+  }
+  double level(int course) const { return tube() ? 0 : size_.pitch * course; }
+
+  Point loop_at(int course, int wale, double w) const {
+    Curve3 c = loop_point(size_, signs(course, wale - 1), signs(course, wale), signs(course, wale + 1), w);
+    return {c.y + Vec3(centre_x(course, wale), level(course), 0), c.dy};
+  }
+
+  Point end() const { return pieces_.back().at(1); }
+
+  void add(std::function<Point(double)> at, int material, const PlacedLoop* of = nullptr) {
+    CurvePiece piece{std::move(at), -1, material, 0};
+    if (of) {
+      piece.stitch = of->loop;
+      piece.stitch_length = of->stitch_length;
+    }
+    pieces_.push_back(std::move(piece));
+  }
+
+  void draw_loop(int course, int wale) {
+    const PlacedLoop& placed = at(course, wale);
+    const LoopSigns left = signs(course, wale - 1), here = signs(course, wale), right = signs(course, wale + 1);
+    const Vec3 centre(centre_x(course, wale), level(course), 0);
+    const double h = heading(course);
+    add(
+        [=, size = size_](double u) {
+          const Curve3 c = loop_point(size, left, here, right, h * (4 * u - 2));
+          return Point{centre + c.y, 4 * h * c.dy};
+        },
+        placed.material, &placed);
+  }
+
+  /// A cubic between two directions; the longer the reach, the wider it swings out.
+  void bridge(const Point& from, const Point& to, double reach_from, double reach_to, int material) {
+    const Point a{from.y, reach_from * from.dy.normalized()}, b{to.y, reach_to * to.dy.normalized()};
+    add([a, b](double u) { return hermite(a, b, u); }, material);
+  }
+
+  Point start_of(int course) const {
+    const int wale = forward(course) ? 0 : layout_.wales - 1;
+    const Point p = loop_at(course, wale, -2 * heading(course));
+    return {p.y, heading(course) * p.dy};
+  }
+
+  /// From where the yarn is to the start of a course, round in a half circle.
+  void join(int course) {
+    const Point to = start_of(course);
+    const double reach = 2 * (to.y - end().y).norm();
+    bridge(end(), to, reach, reach, at(course, forward(course) ? 0 : layout_.wales - 1).material);
+  }
+
+  /// A spiral in the strip, round the sinkers below `course` or the heads above it, from one x to another.
+  void chain(int course, const ChainSize& size, double from, double to) {
+    const int wales = std::max(1, static_cast<int>(std::lround(std::abs(to - from) / size_.wale())));
+    const double width = (to - from) / wales;
+    for (int k = 0; k < wales; ++k) {
+      const double begin = from + k * width;
+      add(
+          [=, this_row = row_signs(course), loops = size_, first = centre_x(course, 0)](double u) {
+            const double x = begin + u * width;
+            const int last = static_cast<int>(this_row.size()) - 1;
+            const int wale = static_cast<int>(std::lround((x - first) / loops.wale()));
+            const auto sign = [&](int i) { return this_row[static_cast<std::size_t>(std::clamp(i, 0, last))]; };
+            const Curve3 c = chain_point(size, loops, sign(wale - 1), sign(wale), sign(wale + 1),
+                                         first + wale * loops.wale(), x);
+            return Point{c.y, width * c.dy};
+          },
+          at(course, std::clamp(static_cast<int>(std::lround((begin + width / 2 - centre_x(course, 0)) / size_.wale())),
+                                0, layout_.wales - 1))
+              .material);
+    }
+  }
+
+  std::vector<int> row_signs(int course) const {
+    std::vector<int> row;
+    for (int wale = 0; wale < layout_.wales; ++wale) row.push_back(at(course, wale).sign);
+    return row;
+  }
+
+  /// Against the first course, so that a U-turn leads into it.
+  void cast_on() {
+    const int h = heading(0);
+    const double near = centre_x(0, forward(0) ? 0 : layout_.wales - 1);
+    const double far = centre_x(0, forward(0) ? layout_.wales - 1 : 0);
+    chain(0, {chain_, -size_.y, false}, far, near);
+    const Point start = start_of(0);
+    const Point turn{start.y + Vec3(0, -1.7 * chain_, 0), Vec3(-h, 0, 0)};
+    bridge(end(), turn, 2 * size_.x, 2 * size_.x, pieces_.back().material);
+  }
+
+  /// Back over the last course.
+  void bind_off() {
+    const int last = layout_.courses - 1, h = heading(last);
+    const double side = 2 * size_.x * h;
+    const double near = centre_x(last, forward(last) ? layout_.wales - 1 : 0) + side;
+    const double far = centre_x(last, forward(last) ? 0 : layout_.wales - 1) - side;
+    const std::size_t joint = pieces_.size();
+    const Point from = end();
+    const int material = pieces_.back().material;
+    chain(last, {chain_, level(last) + size_.y, true}, near, far);
+    const Point to = pieces_[joint].at(0);
+    std::vector<CurvePiece> spiral(pieces_.begin() + static_cast<std::ptrdiff_t>(joint), pieces_.end());
+    pieces_.resize(joint);
+    if (tube()) {
+      const Point outside{(from.y + to.y) / 2 + Vec3(h * diameter_, 0, outside_of_tube * diameter_), Vec3(0, 1, 0)};
+      const double reach = (to.y - from.y).norm();
+      bridge(from, outside, reach, reach, material);
+      bridge(end(), to, reach, reach, material);
+    } else {
+      const double reach = 2 * size_.pitch;
+      bridge(from, to, reach, reach, material);
+    }
+    pieces_.insert(pieces_.end(), spiral.begin(), spiral.end());
+  }
+
+  const Layout& layout_;
+  LoopSize size_;
+  double diameter_, chain_;
+  std::vector<CurvePiece> pieces_;
+};
+
+double longest_stitch(const Layout& layout) {
+  double longest = 0;
+  for (const auto& row : layout.rows)
+    for (const PlacedLoop& placed : row) longest = std::max(longest, placed.stitch_length);
+  return longest;
+}
+
+double jersey_length(const LoopSize& size) {
+  constexpr int steps = 400;
+  double length = 0;
+  for (int i = 0; i < steps; ++i)
+    length += loop_point(size, {}, {}, {}, -2 + 4 * (i + 0.5) / steps).dy.norm() * 4 / steps;
+  return length;
+}
+
+}  // namespace
+
+std::optional<Curves> thread(const Layout& layout, const Chart& chart, Diagnostics&) {
+  double diameter = 0;
+  for (const ChartYarn& yarn : chart.yarns) diameter = std::max(diameter, yarn.material.diameter);
+  // Rest lengths only shrink afterwards: a fabric looser than the loose loops is drawn larger.
+  const double enlarge = std::max(1.0, longest_stitch(layout) / (tightest * jersey_length(loose_loops(diameter, 1))));
+  const LoopSize size = loose_loops(diameter, enlarge);
+
+  const double round = size.wale() * layout.wales;
+  const Strip strip{layout.form == Form::tube, round / (2 * std::numbers::pi),
+                    (layout.from_left.front() ? 1 : -1) * size.pitch / round};
+  YarnCurve yarn{Drawing(layout, size, diameter).draw()};
+  if (strip.tube)
+    for (CurvePiece& piece : yarn.pieces)
+      piece.at = [strip, flat = std::move(piece.at)](double u) { return strip.wind(flat(u)); };
+  return Curves{{std::move(yarn)}};
+}
+
+}  // namespace wale::passes

@@ -1,0 +1,143 @@
+#include "sim/run.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "sim/effects/beads.hpp"
+#include "sim/results/curves.hpp"
+#include "sim/results/topology.hpp"
+#include "sim/stage.hpp"
+
+namespace wale {
+namespace {
+
+/// Runs one scene into one Results, from wherever its snapshots end.
+class Run {
+ public:
+  Run(Results& results, const RunOptions& options) : results_(results), options_(options) {}
+
+  Outcome all() {
+    const int stages = static_cast<int>(results_.scene.stages.size());
+    if (results_.snapshots.empty()) begin(0, at_rest(results_.scene.fabric));
+    for (int stage = results_.snapshots.back().stage; stage < stages; ++stage) {
+      if (results_.snapshots.back().stage < stage) begin(stage, results_.snapshots.back().state);
+      const Outcome outcome = one(stage);
+      if (outcome != Outcome::finished) return outcome;
+    }
+    results_.complete = true;
+    return Outcome::finished;
+  }
+
+ private:
+  const Stage& stage_at(int index) const { return results_.scene.stages[static_cast<std::size_t>(index)]; }
+
+  /// The state that a stage starts from, as its snapshot 0.
+  void begin(int stage, State state) {
+    state.t = 0;
+    state.step = 0;
+    state.v.setZero();
+    results_.snapshots.push_back({stage, 0, std::move(state)});
+    const Stage& of = stage_at(stage);
+    if (of.pull) results_.relaxed = measure(results_.scene.fabric, results_.scene.gauge, results_.snapshots.back().state.q);
+    const StageSetup setup(results_.scene, of, start_of(stage), tightened_before(stage), results_.relaxed);
+    record(stage, setup, start_of(stage));
+  }
+
+  const State& start_of(int stage) const {
+    for (const Snapshot& snapshot : results_.snapshots)
+      if (snapshot.stage == stage && snapshot.sample == 0) return snapshot.state;
+    return results_.snapshots.back().state;
+  }
+
+  double tightened_before(int stage) const {
+    double share = 0;
+    for (int i = 0; i < stage; ++i) share = stage_at(i).tighten.value_or(share);
+    return share;
+  }
+
+  int samples_done(int stage) const {
+    int done = 0;
+    for (const Snapshot& snapshot : results_.snapshots)
+      if (snapshot.stage == stage && snapshot.sample > done) done = snapshot.sample;
+    return done;
+  }
+
+  Outcome one(int index) {
+    const Stage& stage = stage_at(index);
+    const State start = start_of(index);
+    const StageSetup setup(results_.scene, stage, start, tightened_before(index), results_.relaxed);
+    State state = results_.snapshots.back().state;
+    if (results_.snapshots.back().sample < 0) results_.snapshots.pop_back();
+    for (int sample = samples_done(index) + 1; sample <= stage.samples; ++sample) {
+      const auto begun = std::chrono::steady_clock::now();
+      const Outcome outcome = until(index, setup, stage.duration * sample / stage.samples, state);
+      spend(stage.name, begun);
+      if (outcome == Outcome::interrupted) results_.snapshots.push_back({index, -1, state});
+      if (outcome != Outcome::finished) return outcome;
+      results_.snapshots.push_back({index, sample, state});
+      record(index, setup, state);
+      if (options_.save) options_.save(results_);
+    }
+    return Outcome::finished;
+  }
+
+  /// Each sample starts from nothing but its state, so that a resumed run does as an uninterrupted one.
+  Outcome until(int index, const StageSetup& setup, double t, State& state) {
+    const auto world = setup.world();
+    const auto solver = std::visit([&](const auto& spec) { return make(spec, *world, state); }, stage_at(index).solver);
+    Outcome outcome = Outcome::finished;
+    while (true) {
+      const Progress progress = solver->advance(t);
+      state = solver->state();
+      tell(index, state.t);
+      if (progress == Progress::failed) outcome = Outcome::failed;
+      if (progress != Progress::stepped) break;
+      if (options_.interrupt && options_.interrupt->load()) {
+        outcome = Outcome::interrupted;
+        break;
+      }
+    }
+    add_effort(solver->effort());
+    return outcome;
+  }
+
+  void record(int index, const StageSetup& setup, const State& state) {
+    const auto world = setup.world();
+    std::vector<Quantity> row{{"stage", "1", static_cast<double>(index)}};
+    const auto measured = setup.measure(*world, state);
+    row.insert(row.end(), measured.begin(), measured.end());
+    append_row(results_.samples, row);
+    results_.topology = worse(results_.topology,
+                              check_crossings(results_.scene.fabric, results_.scene.crossings, state.q));
+    if (!world->parts().made_beads.empty()) results_.contact_samples = world->parts().made_beads.begin()->second->total();
+  }
+
+  void add_effort(const Effort& effort) {
+    results_.effort.accepted += effort.accepted;
+    results_.effort.rejected += effort.rejected;
+    results_.effort.evaluations += effort.evaluations;
+    results_.effort.factorizations += effort.factorizations;
+    results_.effort.failure = effort.failure;
+  }
+
+  void spend(const std::string& phase, std::chrono::steady_clock::time_point since) {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+    if (results_.phases.empty() || results_.phases.back().name != phase) results_.phases.push_back({phase, 0});
+    results_.phases.back().seconds += seconds;
+  }
+
+  void tell(int index, double t) const {
+    if (!options_.progress) return;
+    const Stage& stage = stage_at(index);
+    options_.progress({stage.name, index, static_cast<int>(results_.scene.stages.size()), t / stage.duration, &results_});
+  }
+
+  Results& results_;
+  const RunOptions& options_;
+};
+
+}  // namespace
+
+Outcome run(Results& results, const RunOptions& options) { return Run(results, options).all(); }
+
+}  // namespace wale

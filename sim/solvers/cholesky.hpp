@@ -1,0 +1,28 @@
+/// Sparse Cholesky factors of a Stiffness plus a multiple of the identity, by CHOLMOD.
+#pragma once
+
+#include <memory>
+
+#include "sim/stiffness.hpp"
+
+namespace wale {
+
+/// Keeps the symbolic factorisation as long as the pattern stays. Not copyable.
+class Cholesky {
+ public:
+  Cholesky();
+  ~Cholesky();
+  Cholesky(const Cholesky&) = delete;
+  Cholesky& operator=(const Cholesky&) = delete;
+
+  /// Factors K + shift I. False if that is not positive definite.
+  [[nodiscard]] bool factor(const Stiffness& K, double shift);
+  /// x := (K + shift I)⁻¹ x, after factor() answered true.
+  void solve(Eigen::VectorXd& x) const;
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace wale

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/solvers/equilibrium.hpp"
+
+namespace wale {
+namespace {
+
+/// Equilibrium after equilibrium; its time is the load parameter of the schedules.
+/// State::v holds the quasi-static velocity, from which the next equilibrium is guessed.
+class QuasiStaticSolver final : public Solver {
+ public:
+  QuasiStaticSolver(const QuasiStatic& spec, World& world, State start)
+      : spec_(spec), equilibrium_(world), state_(std::move(start)), before_(state_) {
+    const Material& yarn = world.fabric().materials.front();
+    tolerance_ = spec.tolerance * yarn.bending_rigidity / (100 * yarn.diameter * yarn.diameter);
+    world.prepare(state_);
+  }
+
+  Progress advance(double until) override {
+    if (state_.step <= 0) state_.step = spec_.first_step > 0 ? spec_.first_step : until - state_.t;
+    while (true) {
+      const double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
+      State next = guess(target);
+      if (equilibrium_.relax(next, tolerance_, spec_.iterations, effort_) == Equilibrium::Answer::found)
+        return accept(std::move(next), until);
+      ++effort_.rejected;
+      state_.step = (target - state_.t) / 2;
+      if (state_.step < spec_.smallest_step) return fail();
+    }
+  }
+
+  const State& state() const override { return state_; }
+
+  State at(double t) const override {
+    if (state_.t <= before_.t) return state_;
+    State between = state_;
+    const double share = (t - before_.t) / (state_.t - before_.t);
+    between.t = t;
+    between.q = before_.q + share * (state_.q - before_.q);
+    return between;
+  }
+
+  const Effort& effort() const override { return effort_; }
+
+ private:
+  State guess(double target) const {
+    State next = state_;
+    next.t = target;
+    const Points move = (target - state_.t) * state_.v;
+    const double furthest = std::sqrt(move.colwise().squaredNorm().maxCoeff());
+    if (furthest > 0) next.q += std::min(1.0, equilibrium_.safe_move() / furthest) * move;
+    return next;
+  }
+
+  Progress accept(State next, double until) {
+    const double step = next.t - state_.t;
+    next.v = (next.q - state_.q) / step;
+    next.step = std::max(state_.step, 1.5 * step);
+    before_ = std::move(state_);
+    state_ = std::move(next);
+    ++effort_.accepted;
+    return state_.t >= until ? Progress::arrived : Progress::stepped;
+  }
+
+  Progress fail() {
+    effort_.failure = fmt::format(
+        "no equilibrium was found at load parameter {:.6g}: the largest residual force is {:.3g} N, {:.3g} N was asked for",
+        state_.t, equilibrium_.residual(), tolerance_);
+    return Progress::failed;
+  }
+
+  QuasiStatic spec_;
+  Equilibrium equilibrium_;
+  State state_, before_;
+  double tolerance_;  // N
+  Effort effort_;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make(const QuasiStatic& spec, World& world, State start) {
+  return std::make_unique<QuasiStaticSolver>(spec, world, std::move(start));
+}
+
+}  // namespace wale

@@ -1,0 +1,40 @@
+/// One stage of a scene made ready: the effects that it calls for, with its grips, and how it is measured.
+#pragma once
+
+#include <memory>
+
+#include "sim/results/recorder.hpp"
+#include "sim/scene.hpp"
+#include "sim/world.hpp"
+
+namespace wale {
+
+/// A stage, standing at its start. Grips hold what lies in them there.
+class StageSetup {
+ public:
+  /// `start` is the state at the stage's beginning, with t = 0; `tightened` is how far rest lengths have come before it.
+  StageSetup(const Scene&, const Stage&, const State& start, double tightened, const Sizes& relaxed);
+
+  /// A World to solve in; each call makes a new one, with the same answers.
+  std::unique_ptr<World> world() const;
+  /// What a row of the results' table says of a state.
+  std::vector<Quantity> measure(World&, const State&) const;
+
+ private:
+  void hold_ends();
+  void pull_ends();
+  double strain(double t) const;
+
+  const Scene& scene_;
+  const Stage& stage_;
+  const State& start_;
+  Sizes relaxed_;
+  Schedule tightening_;
+  std::vector<EffectSpec> effects_;
+  double gauge_length_ = 0;  // m between the grips at the start
+};
+
+/// The mean position of some segments, m.
+Vec3 centre_of(const Fabric&, const std::vector<int>& segments, const Points& q);
+
+}  // namespace wale
