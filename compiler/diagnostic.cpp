@@ -57,8 +57,9 @@ void Diagnostics::warning(std::string_view code, Span span, std::string message,
   report({Severity::warning, code, span, std::move(message), std::move(hint)});
 }
 
-bool Diagnostics::failed() const {
-  return std::any_of(all_.begin(), all_.end(), [](const Diagnostic& one) { return one.severity == Severity::error; });
+std::size_t Diagnostics::error_count() const {
+  return static_cast<std::size_t>(std::count_if(
+      all_.begin(), all_.end(), [](const Diagnostic& one) { return one.severity == Severity::error; }));
 }
 
 std::string print(const Diagnostic& diagnostic) {

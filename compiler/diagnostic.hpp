@@ -24,7 +24,8 @@ class Diagnostics {
   void report(Diagnostic diagnostic) { all_.push_back(std::move(diagnostic)); }
   void error(std::string_view code, Span span, std::string message, std::string hint = {});
   void warning(std::string_view code, Span span, std::string message, std::string hint = {});
-  bool failed() const;  ///< an error was reported
+  bool failed() const { return error_count() > 0; }
+  std::size_t error_count() const;  ///< so that a pass can tell its own errors from earlier ones
   const std::vector<Diagnostic>& all() const { return all_; }
 
  private:

@@ -36,13 +36,15 @@ Fields::Fields(const YamlNode& node, std::string_view what, std::vector<std::str
   }
   for (const YamlEntry& entry : node.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
+    meant_.push_back(nearest(entry.key, known));
     say.error("Y003", entry.span, fmt::format("unknown key \"{}\" in {}", entry.key, what), suggest(entry.key, known));
   }
 }
 
 const YamlNode* Fields::require(std::string_view key, std::string hint) const {
   const YamlNode* found = find(key);
-  if (!found && is_map()) {
+  const bool misspelt = std::find(meant_.begin(), meant_.end(), key) != meant_.end();
+  if (!found && is_map() && !misspelt) {
     const Span place{node_.span.source, node_.span.begin, node_.span.begin};
     say_.error("Y005", place, fmt::format("\"{}\" is missing in {}", key, what_), std::move(hint));
   }

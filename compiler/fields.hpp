@@ -21,13 +21,14 @@ class Fields {
   Fields(const YamlNode& node, std::string_view what, std::vector<std::string_view> known, Diagnostics&);
   /// Null if absent, or if the node is no map.
   const YamlNode* find(std::string_view key) const { return node_.find(key); }
-  /// Reports an absent key; `hint` shows how to give it.
+  /// Reports an absent key, unless it was misspelt; `hint` shows how to give it.
   const YamlNode* require(std::string_view key, std::string hint) const;
   bool is_map() const { return node_.kind == YamlNode::Kind::map; }
 
  private:
   const YamlNode& node_;
   std::string_view what_;
+  std::vector<std::string_view> meant_;  // known keys that were misspelt
   Diagnostics& say_;
 };
 

@@ -35,7 +35,8 @@ int edit_distance(std::string_view a, std::string_view b) {
 std::string_view nearest(std::string_view written, const std::vector<std::string_view>& known) {
   std::string_view best;
   if (written.size() > 40) return best;
-  int least = std::max(1, static_cast<int>(written.size()) / 3) + 1;
+  const int letters = static_cast<int>(written.size());
+  int least = std::min(letters, std::max(1, letters / 3) + 1);
   for (const std::string_view word : known) {
     const int distance = edit_distance(written, word);
     if (distance < least) {

@@ -194,8 +194,10 @@ std::optional<YamlNode> parse_yaml(const Source& source, Diagnostics& say) {
   } catch (const YAML::Exception& problem) {
     const std::size_t at = problem.mark.is_null() ? 0 : static_cast<std::size_t>(problem.mark.pos) + byte_order_mark;
     const auto begin = offset(std::min(at, source.text.size()));
+    const bool open_bracket = problem.msg.find("flow") != std::string::npos;
     say.error("Y001", {&source, begin, begin}, plain_words(problem.msg),
-              "check indentation, colons, brackets and quotes here and in the line above");
+              open_bracket ? "close the bracket above; a # behind a blank begins a comment, so put colours in quotes"
+                           : "check indentation, colons, brackets and quotes here and in the line above");
     return std::nullopt;
   }
 }

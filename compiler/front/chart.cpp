@@ -1,18 +1,9 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "compiler/fields.hpp"
 #include "compiler/front/chart_parts.hpp"
 #include "compiler/passes.hpp"
 
 namespace wale::passes {
 namespace {
-
-long count_errors(const Diagnostics& say) {
-  return std::count_if(say.all().begin(), say.all().end(),
-                       [](const Diagnostic& one) { return one.severity == Severity::error; });
-}
 
 bool is_chart(const YamlNode& root, Diagnostics& say) {
   const YamlNode* version = root.find("knit");
@@ -31,7 +22,7 @@ bool is_chart(const YamlNode& root, Diagnostics& say) {
 }  // namespace
 
 std::optional<Chart> parse_chart(const Source& source, const ChartOverrides& overrides, Diagnostics& say) {
-  const long errors_before = count_errors(say);
+  const std::size_t errors_before = say.error_count();
   const std::optional<YamlNode> root = parse_yaml(source, say);
   if (!root || !is_chart(*root, say)) return std::nullopt;
   const Fields fields(*root, "a chart",
@@ -47,7 +38,7 @@ std::optional<Chart> parse_chart(const Source& source, const ChartOverrides& ove
   }
   fields.require("bands", "add `bands:` with one line a band, as in `- {stitch: jersey, courses: 12}`");
   std::vector<Band> bands = read_bands(*root, {legend, patterns, yarns}, say);
-  if (count_errors(say) > errors_before) return std::nullopt;
+  if (say.error_count() > errors_before) return std::nullopt;
   return lay_out(head, yarns, std::move(bands), overrides, say);
 }
 

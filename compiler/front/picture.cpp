@@ -87,10 +87,10 @@ class PictureReader {
     if (written.begin == written.end) return;
     const Line line = split_repeat(written);
     const Row row = split_symbols(line.span);
-    if (!good_) return;
+    if (row.empty()) return;
     if (!picture.rows.empty() && static_cast<int>(row.size()) != picture.wales()) {
       fail("C004", line.span,
-           fmt::format("this row is {} wales wide, the first row of the picture {}", row.size(), picture.wales()),
+           fmt::format("this row is {} wales wide, the row above {}", row.size(), picture.wales()),
            "make all rows of a picture equally wide");
       return;
     }
@@ -120,6 +120,7 @@ class PictureReader {
     return line;
   }
 
+  /// Empty after a fault.
   Row split_symbols(const Span& line) {
     Row row;
     const std::string_view text = text_of(line);
@@ -135,13 +136,14 @@ class PictureReader {
       const auto begin = line.begin + static_cast<std::uint32_t>(at);
       if (found == symbols_.end()) {
         report_unknown({line.source, begin, begin + static_cast<std::uint32_t>(length)});
-        return row;
+        return {};
       }
       add_symbol(*found, begin, line.source, row);
       at += length;
     }
     if (static_cast<int>(row.size()) > limits::most_wales) {
       fail("C012", line, fmt::format("this row is over {} wales wide", limits::most_wales), "draw fewer stitches");
+      return {};
     }
     return row;
   }

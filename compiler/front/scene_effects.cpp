@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/fields.hpp"
+#include "compiler/front/scene_parts.hpp"
+
+namespace wale {
+namespace {
+
+/// Reads the settings of one effect or solver; `key:` with nothing behind it keeps every default.
+class Settings {
+ public:
+  Settings(const YamlNode& node, std::string_view what, std::vector<std::string_view> known, Diagnostics& say)
+      : node_(node), say_(say) {
+    if (node.kind != YamlNode::Kind::null) Fields(node, what, std::move(known), say);
+  }
+
+  void count(std::string_view key, int least, int most, int& value) const {
+    if (const YamlNode* given = node_.find(key)) value = read_count(*given, quoted(key), least, most, say_).value_or(value);
+  }
+  void quantity(std::string_view key, const Dimension& dimension, Range range, double& value) const {
+    const YamlNode* given = node_.find(key);
+    if (given) value = read_quantity(*given, quoted(key), dimension, range, say_).value_or(value);
+  }
+  void flag(std::string_view key, bool& value) const {
+    if (const YamlNode* given = node_.find(key)) value = read_bool(*given, quoted(key), say_).value_or(value);
+  }
+  const YamlNode* find(std::string_view key) const { return node_.find(key); }
+
+ private:
+  static std::string quoted(std::string_view key) { return fmt::format("\"{}\"", key); }
+
+  const YamlNode& node_;
+  Diagnostics& say_;
+};
+
+constexpr Range samplings{1e-4, 0.5}, screenings{0.5, 20}, tolerances{1e-14, 0.1}, shares{1e-12, 1};
+constexpr int most_nodes = 5;
+
+Stretch read_stretch(const YamlNode& node, Diagnostics& say) {
+  Stretch spec;
+  Settings(node, "stretch", {"nodes"}, say).count("nodes", 1, most_nodes, spec.nodes);
+  return spec;
+}
+
+Bend read_bend(const YamlNode& node, Diagnostics& say) {
+  Bend spec;
+  Settings(node, "bend", {"nodes"}, say).count("nodes", 1, most_nodes, spec.nodes);
+  return spec;
+}
+
+/// One number points down, along -y; three are a vector.
+Gravity read_gravity(const YamlNode& node, Diagnostics& say) {
+  constexpr Range down{0, 1000}, any{-1000, 1000};
+  Gravity spec;
+  const Settings settings(node, "gravity", {"acceleration"}, say);
+  const YamlNode* given = settings.find("acceleration");
+  if (!given || given->kind != YamlNode::Kind::list) {
+    double g = -spec.acceleration.y();
+    settings.quantity("acceleration", dimensions::acceleration, down, g);
+    spec.acceleration = {0, -g, 0};
+    return spec;
+  }
+  if (given->items.size() != 3) {
+    say.error("Y004", given->span, fmt::format("an acceleration has 3 components, but this has {}", given->items.size()),
+              "write `[0 m/s^2, -9.81 m/s^2, 0 m/s^2]`, or one number for straight down");
+    return spec;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const YamlNode& item = given->items[static_cast<std::size_t>(axis)];
+    spec.acceleration[axis] = read_quantity(item, "an acceleration", dimensions::acceleration, any, say).value_or(0);
+  }
+  return spec;
+}
+
+Drag read_drag(const YamlNode& node, Diagnostics& say) {
+  Drag spec;
+  Settings(node, "drag", {"coefficient"}, say).quantity("coefficient", dimensions::drag, {0, 1e6}, spec.coefficient);
+  return spec;
+}
+
+Contact read_contact(const YamlNode& node, Diagnostics& say) {
+  Contact spec;
+  const Settings settings(node, "contact", {"sampling", "screening", "inflate_beads"}, say);
+  settings.quantity("sampling", dimensions::ratio, samplings, spec.sampling);
+  settings.quantity("screening", dimensions::ratio, screenings, spec.screening);
+  settings.flag("inflate_beads", spec.inflate_beads);
+  return spec;
+}
+
+ContactDamping read_contact_damping(const YamlNode& node, Diagnostics& say) {
+  constexpr Range coefficients{0, 1e12};
+  ContactDamping spec;
+  const Settings settings(node, "contact_damping", {"tangential", "normal", "sampling", "screening"}, say);
+  settings.quantity("tangential", dimensions::contact_damping, coefficients, spec.tangential);
+  settings.quantity("normal", dimensions::contact_damping, coefficients, spec.normal);
+  settings.quantity("sampling", dimensions::ratio, samplings, spec.sampling);
+  settings.quantity("screening", dimensions::ratio, screenings, spec.screening);
+  return spec;
+}
+
+Plates read_plates(const YamlNode& node, Diagnostics& say) {
+  Plates spec;
+  const Settings settings(node, "plates", {"gap", "stiffness"}, say);
+  settings.quantity("gap", dimensions::length, {1e-6, 1}, spec.gap);
+  settings.quantity("stiffness", dimensions::foundation, {1e-6, 1e12}, spec.stiffness);
+  return spec;
+}
+
+QuasiStatic read_quasi_static(const YamlNode& node, Diagnostics& say) {
+  QuasiStatic spec;
+  const Settings settings(node, "quasi_static", {"tolerance", "iterations", "first_step", "smallest_step"}, say);
+  settings.quantity("tolerance", dimensions::ratio, tolerances, spec.tolerance);
+  settings.count("iterations", 1, 1'000'000, spec.iterations);
+  settings.quantity("first_step", dimensions::ratio, {0, 1}, spec.first_step);
+  settings.quantity("smallest_step", dimensions::ratio, shares, spec.smallest_step);
+  return spec;
+}
+
+RungeKutta read_runge_kutta(const YamlNode& node, Diagnostics& say) {
+  RungeKutta spec;
+  const Settings settings(node, "runge_kutta", {"relative", "absolute", "first_step"}, say);
+  settings.quantity("relative", dimensions::ratio, tolerances, spec.relative);
+  settings.quantity("absolute", dimensions::length, {1e-15, 1e-2}, spec.absolute);
+  settings.quantity("first_step", dimensions::time, {0, 1e3}, spec.first_step);
+  return spec;
+}
+
+struct EffectReader {
+  std::string_view key;
+  EffectSpec (*read)(const YamlNode&, Diagnostics&);
+};
+
+template <auto read>
+EffectSpec as_effect(const YamlNode& node, Diagnostics& say) {
+  return read(node, say);
+}
+
+constexpr EffectReader effect_readers[] = {
+    {"stretch", as_effect<read_stretch>}, {"bend", as_effect<read_bend>},
+    {"gravity", as_effect<read_gravity>}, {"drag", as_effect<read_drag>},
+    {"contact", as_effect<read_contact>}, {"contact_damping", as_effect<read_contact_damping>},
+    {"plates", as_effect<read_plates>},
+};
+
+}  // namespace
+
+void read_effects(const YamlNode& node, std::vector<EffectSpec>& effects, Diagnostics& say) {
+  std::vector<std::string_view> keys;
+  for (const EffectReader& reader : effect_readers) keys.push_back(reader.key);
+  const Fields fields(node, "the effects", keys, say);
+  for (const EffectReader& reader : effect_readers) {
+    const YamlNode* given = fields.find(reader.key);
+    if (!given) continue;
+    const EffectSpec spec = reader.read(*given, say);
+    const auto same = std::find_if(effects.begin(), effects.end(),
+                                   [&](const EffectSpec& one) { return one.index() == spec.index(); });
+    if (same != effects.end()) {
+      *same = spec;
+    } else {
+      effects.push_back(spec);
+    }
+  }
+}
+
+SolverSpec read_solver(const YamlNode& node, Diagnostics& say) {
+  const std::vector<std::string_view> keys{"quasi_static", "runge_kutta"};
+  const YamlNode defaults;
+  if (node.kind == YamlNode::Kind::scalar) {
+    const auto word = read_word(node, "the solver", keys, say);
+    return word.value_or(0) == 0 ? SolverSpec(QuasiStatic{}) : SolverSpec(RungeKutta{});
+  }
+  const Fields fields(node, "the solver", keys, say);
+  if (node.entries.size() > 1 && fields.find(keys[0]) && fields.find(keys[1])) {
+    say.error("S004", node.entries[1].span, "a stage has one solver", "keep `quasi_static` or `runge_kutta`");
+  }
+  if (const YamlNode* explicit_solver = fields.find("runge_kutta")) return read_runge_kutta(*explicit_solver, say);
+  const YamlNode* given = fields.find("quasi_static");
+  return read_quasi_static(given ? *given : defaults, say);
+}
+
+}  // namespace wale

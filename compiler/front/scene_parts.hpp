@@ -1,0 +1,18 @@
+/// The parts of a scene file that have a reader of their own.
+#pragma once
+
+#include <vector>
+
+#include "compiler/yaml.hpp"
+#include "sim/scene.hpp"
+
+namespace wale {
+
+/// Adds what `node` names to `effects`; one that is there already is replaced.
+void read_effects(const YamlNode& node, std::vector<EffectSpec>& effects, Diagnostics&);
+/// `quasi_static` or `runge_kutta`, alone or as a map with settings.
+SolverSpec read_solver(const YamlNode&, Diagnostics&);
+/// `common` holds the effects and the solver of every stage.
+std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, Diagnostics&);
+
+}  // namespace wale
