@@ -1,0 +1,94 @@
+/// Every diagnostic code of the compiler: what it means and what to write instead; `wale explain` reads it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "compiler/diagnostic.hpp"
+#include "compiler/passes/program_codes.hpp"
+
+namespace wale {
+
+using CodeInfo = codes::ProgramCode;
+
+/// Codes of the text front: F files, Y YAML, U units, C charts, M materials, S scenes.
+inline constexpr auto front_codes = std::to_array<CodeInfo>({
+    {"F001", Severity::error, "a file that the scene names cannot be read",
+     "fabric: {pattern: ../patterns/jersey.yaml}   # relative to the folder of the scene"},
+
+    {"Y001", Severity::error, "the text is not YAML, is empty, or holds several documents",
+     "check indentation, colons, brackets and quotes; put colours in quotes, as # begins a comment"},
+    {"Y002", Severity::error, "a tab indents a line, which YAML does not allow", "indent with spaces"},
+    {"Y003", Severity::error, "a key that nobody knows", "correct the spelling: `wales: 12`, not `walse: 12`"},
+    {"Y004", Severity::error, "a value of the wrong shape: a list, a map or a single value was wanted",
+     "bands:\n  - {stitch: jersey, courses: 12}"},
+    {"Y005", Severity::error, "something that is needed is missing", "- {stitch: jersey, courses: 12}"},
+    {"Y006", Severity::error, "a key is given twice in one map", "remove one of the two"},
+    {"Y007", Severity::error, "a count is no whole number, or is zero, negative or absurd", "wales: 12"},
+    {"Y008", Severity::error, "a word that is not one of those allowed here", "form: tube"},
+
+    {"U001", Severity::error, "a quantity has no unit", "stitch_length: 7.23 mm"},
+    {"U002", Severity::error, "a quantity has a unit of another dimension",
+     "linear_density: 77 tex   # not 77 N"},
+    {"U003", Severity::error, "a quantity does not begin with a number", "duration: 2 s"},
+    {"U004", Severity::error, "a unit that nobody knows", "stretch_modulus: 79 MPa"},
+    {"U005", Severity::error, "a quantity is zero, negative or absurd", "contact_diameter: 0.524 mm"},
+
+    {"C001", Severity::error, "a chart was wanted, and this is none, or one of an unknown version", "knit: 1"},
+    {"C002", Severity::error, "a stitch that is neither built in nor one of the chart's patterns",
+     "stitch: rib 2x2   # `wale patterns` lists what there is"},
+    {"C003", Severity::error, "a symbol in a picture that is not in the legend", "symbols: {\"-\": purl}"},
+    {"C004", Severity::error, "the rows of a picture are not equally wide", "stitch: |\n  kkpp\n  ppkk"},
+    {"C005", Severity::error, "a stitch that charts cannot hold yet: a crossing, a tuck, a miss",
+     "draw the cell with k or p"},
+    {"C006", Severity::error, "the panels of a band do not add up to the width of the chart",
+     "wales: 12\nbands:\n  - courses: 6\n    panels:\n      - {stitch: jersey, wales: 4}\n      - {stitch: purl, wales: 8}"},
+    {"C007", Severity::error, "a picture is wider or higher than the place where it is drawn",
+     "draw it smaller, or give the band more courses or wales"},
+    {"C008", Severity::error, "a yarn that is not among the chart's yarns", "yarns: {main: {material: acrylic_16_2}}"},
+    {"C009", Severity::error, "a picture is empty, or not a block of text", "stitch: |\n  kkpp\n  ppkk"},
+    {"C010", Severity::error, "a symbol or a pattern's name that cannot be used, or is taken", "symbols: {\".\": knit}"},
+    {"C011", Severity::error, "a thing is said twice, in two ways", "keep one of the two"},
+    {"C012", Severity::error, "a chart, or a picture in it, is bigger than any fabric to be simulated", "courses: 40"},
+    {"C013", Severity::error, "the wales or courses that a scene asks for do not suit the chart",
+     "leave `courses:` out of the scene if the chart has several bands"},
+    {"C020", Severity::warning,
+     "the yarn is thicker than its stitches have room for: a jersey of hard tubes jams at stitch length / diameter = 13.27",
+     "stitch_length: 7.23 mm   # with a yarn of 0.524 mm"},
+    {"C021", Severity::warning, "colourwork other than intarsia is knitted as intarsia", "colorwork: intarsia"},
+    {"C022", Severity::warning, "a stitch length of the chart is replaced by the scene's",
+     "leave `stitch_length:` out of the scene"},
+
+    {"M001", Severity::error, "a material that nobody has defined", "material: acrylic_16_2"},
+    {"M002", Severity::error, "the quantities of a material are incomplete, or contradict each other",
+     "material: {stretch_modulus: 79 MPa, bend_modulus: 0.249 MPa, radius: 0.524 mm}"},
+
+    {"S001", Severity::error, "a scene was wanted, and this is none, or one of an unknown version", "scene: 1"},
+    {"S002", Severity::error, "a scene has no stages, so nothing would happen",
+     "stages:\n  - {name: tighten, duration: 1 s, tighten: 100 %, hold: ends}\n  - {name: relax, duration: 1 s}\n"
+     "  - {name: pull, duration: 8 s, pull: {along: wale, to: 60 %}}"},
+    {"S003", Severity::error, "a strain without a direction", "pull: {along: wale, to: 60 %}"},
+    {"S004", Severity::error, "a stage is told two things that exclude each other",
+     "- {name: tighten, duration: 1 s, tighten: 100 %, hold: ends}\n"
+     "- {name: pull, duration: 8 s, pull: {along: course, to: 60 %}}"},
+    {"S005", Severity::error, "nothing acts on the yarns in a stage", "effects: {stretch: , bend: , contact: }"},
+});
+
+/// All codes, the front's first.
+inline constexpr auto code_table = [] {
+  std::array<CodeInfo, front_codes.size() + codes::program_codes.size()> all{};
+  std::copy(codes::program_codes.begin(), codes::program_codes.end(),
+            std::copy(front_codes.begin(), front_codes.end(), all.begin()));
+  return all;
+}();
+
+/// Null if there is no such code.
+constexpr const CodeInfo* find_code(std::string_view code) {
+  for (const CodeInfo& info : code_table) {
+    if (info.code == code) return &info;
+  }
+  return nullptr;
+}
+
+}  // namespace wale
