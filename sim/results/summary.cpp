@@ -1,0 +1,99 @@
+#include "sim/results/summary.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "sim/results/curves.hpp"
+#include "sim/results/file.hpp"
+
+namespace wale {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A stage is told to pull by the scene; a file read back has no stages, and then by its name.
+bool is_pull(const Scene& scene, const std::string& name) {
+  const auto stage =
+      std::find_if(scene.stages.begin(), scene.stages.end(), [&](const Stage& each) { return each.name == name; });
+  return stage != scene.stages.end() ? stage->pull.has_value() : name.starts_with("pull");
+}
+
+/// Phases of one name add up: a resumed run has some twice.
+Json wall_seconds(const Results& results) {
+  double compile = 0, prepare = 0, solve = 0, write = 0;
+  Json stages = Json::object();
+  for (const Phase& phase : results.phases) {
+    if (phase.name == "compile") {
+      compile += phase.seconds;
+    } else if (phase.name == "write") {
+      write += phase.seconds;
+    } else {
+      (is_pull(results.scene, phase.name) ? solve : prepare) += phase.seconds;
+      stages[phase.name] = stages.value(phase.name, 0.0) + phase.seconds;
+    }
+  }
+  return {{"compile", compile},
+          {"prepare", prepare},
+          {"solve", solve},
+          {"write", write},
+          {"total", compile + prepare + solve + write},
+          {"stages", stages}};
+}
+
+Json solver(const Effort& effort) {
+  Json json{{"steps", effort.accepted},
+            {"rejected", effort.rejected},
+            {"evaluations", effort.evaluations},
+            {"factorizations", effort.factorizations}};
+  if (!effort.failure.empty()) json["failure"] = effort.failure;
+  return json;
+}
+
+Json sizes(const Sizes& relaxed) {
+  return {{"course_spacing_m", relaxed.course_spacing},
+          {"wale_spacing_m", relaxed.wale_spacing},
+          {"width_m", relaxed.width},
+          {"length_m", relaxed.length},
+          {"thickness_m", relaxed.thickness}};
+}
+
+Json curve(const Results& results) {
+  const Curve pulled = stress_strain(results);
+  const Features found = features(pulled);
+  return {{"samples", pulled.strain.size()},
+          {"initial_stiffness_Pa", found.initial_stiffness},
+          {"transition_strain", found.transition_strain},
+          {"final_stiffness_Pa", found.final_stiffness}};
+}
+
+}  // namespace
+
+std::string summary_json(const Results& results) {
+  const Fabric& fabric = results.scene.fabric;
+  const Manifest& from = results.manifest;
+  const Json json{{"version", from.version},
+                  {"when", from.when},
+                  {"complete", results.complete},
+                  {"name", results.scene.name},
+                  {"scene_file", from.sources.empty() ? Json() : Json(from.sources.front().name)},
+                  {"scene", from.sources.empty() ? Json() : Json(from.sources.front().text)},
+                  {"threads", from.threads},
+                  {"unknowns", 3 * fabric.points.cols()},
+                  {"segments", fabric.segments.size()},
+                  {"contact_samples", results.contact_samples},
+                  {"wall_seconds", wall_seconds(results)},
+                  {"solver", solver(results.effort)},
+                  {"sizes", sizes(results.relaxed)},
+                  {"curve", curve(results)},
+                  {"topology",
+                   {{"crossings_expected", results.topology.expected},
+                    {"crossings_found", results.topology.found},
+                    {"intact", results.topology.intact()}}},
+                  {"warnings", results.warnings}};
+  // A text that is not UTF-8 is no reason to lose the summary.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_summary(const Results& results, const std::string& path) { write_file(path, summary_json(results)); }
+
+}  // namespace wale
