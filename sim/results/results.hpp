@@ -58,14 +58,14 @@ struct Topology {
 
 struct Results {
   Manifest manifest;
-  Scene scene;                       ///< with its fabric as compiled
-  Table samples;                     ///< `stage`, `t`, `strain`, `force`, `force_per_wale`, `stress`, `energy.*`, ...
-  std::vector<Snapshot> snapshots;   ///< one a row of `samples`; at most one more, at the end, from an interruption
+  Scene scene;                      ///< with its fabric as compiled
+  Table samples;                    ///< `stage`, `t`, `strain`, `force`, `force_per_wale`, `stress`, `energy.*`, ...
+  std::vector<Snapshot> snapshots;  ///< one a row of `samples`; at most one more, at the end, from an interruption
   std::vector<Phase> phases;
   Sizes relaxed;
   Effort effort;
   Topology topology;
-  long contact_samples = 0;          ///< beads in all yarns
+  long contact_samples = 0;  ///< beads in all yarns
   std::vector<std::string> warnings;
   bool complete = false;
 };
