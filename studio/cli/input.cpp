@@ -1,9 +1,9 @@
 #include "studio/cli/input.hpp"
 
-#include <fmt/core.h>
-
 #include <cerrno>
 #include <cstring>
+
+#include "studio/cli/complain.hpp"
 
 namespace wale {
 namespace {
@@ -17,7 +17,8 @@ bool has_key(const std::string& text, std::string_view key) {
 
 FileKind kind_of(const Source& source) {
   if (source.name.ends_with(".k") || source.text.starts_with(";!knitout")) return FileKind::knitout;
-  return has_key(source.text, "stages") || has_key(source.text, "fabric") ? FileKind::scene : FileKind::chart;
+  const bool scene = has_key(source.text, "scene") || has_key(source.text, "stages");
+  return scene ? FileKind::scene : FileKind::chart;
 }
 
 std::string_view name_of(FileKind kind) {
@@ -32,11 +33,14 @@ std::string_view name_of(FileKind kind) {
 const Source* read_or_complain(Sources& sources, const std::string& path) {
   errno = 0;
   const Source* source = sources.read(path);
-  if (!source) {
-    const char* reason = errno ? std::strerror(errno) : "it is not a text file";
-    fmt::print(stderr, "{}: error: cannot be read: {}\n", path, reason);
-  }
+  if (!source) complain(path, std::string("cannot be read: ") + (errno ? std::strerror(errno) : "it is not a text file"));
   return source;
+}
+
+bool is_knitout(const Source& source) {
+  if (kind_of(source) != FileKind::knitout) return false;
+  complain(source.name + ":1:1", "knitout is not read yet", "write a chart instead: docs/charts.md");
+  return true;
 }
 
 }  // namespace wale

@@ -9,9 +9,12 @@ namespace wale {
 
 enum class FileKind { chart, scene, knitout };
 
-/// By suffix (.k) and by the keys at the left margin: only a scene has `stages:` or `fabric:`.
+/// By suffix (.k) and by the keys at the left margin: only a scene has `scene:` and `stages:`.
 FileKind kind_of(const Source&);
 std::string_view name_of(FileKind);
+
+/// Then says on stderr that it is not read yet.
+bool is_knitout(const Source&);
 
 /// Null, and one line on stderr, if the file cannot be read.
 const Source* read_or_complain(Sources&, const std::string& path);

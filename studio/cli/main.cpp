@@ -1,9 +1,8 @@
-#include <fmt/core.h>
-
 #include <CLI/CLI.hpp>
-#include <system_error>
+#include <stdexcept>
 
 #include "studio/cli/commands.hpp"
+#include "studio/cli/complain.hpp"
 #include "studio/cli/exit_code.hpp"
 
 int main(int argc, char** argv) {
@@ -21,9 +20,8 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? wale::success : wale::bad_input;
-  } catch (const std::system_error& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return wale::bad_input;
+  } catch (const std::runtime_error& error) {
+    return wale::complain("wale", error.what());
   }
   return exit_code;
 }

@@ -10,6 +10,8 @@ namespace wale {
 /// To stderr, in the order reported, each once.
 void print_all(const Diagnostics&);
 
+std::string_view name_of(Severity);
+
 /// `[{severity, code, file, line, column, message, hint}]`
 nlohmann::ordered_json to_json(const Diagnostics&);
 

@@ -1,7 +1,6 @@
 #include "studio/cli/session.hpp"
 
 #include <fmt/chrono.h>
-#include <fmt/core.h>
 #include <omp.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 
 #include "compiler/compile.hpp"
 #include "sim/results/hdf5.hpp"
+#include "studio/cli/complain.hpp"
 #include "studio/cli/input.hpp"
 #include "studio/cli/report.hpp"
 
@@ -48,7 +48,7 @@ std::optional<Results> begin_run(const std::string& scene_path) {
   const auto begin = std::chrono::steady_clock::now();
   Sources sources;
   const Source* source = read_or_complain(sources, scene_path);
-  if (!source) return {};
+  if (!source || is_knitout(*source)) return {};
   Diagnostics say;
   std::optional<Scene> scene = compile_scene(*source, sources, say);
   print_all(say);
@@ -71,8 +71,8 @@ std::optional<Results> resume_run(const std::string& results_path) {
   if (!sources.all().empty()) scene = compile_scene(sources.all().front(), sources, say);
   if (!scene || !same_fabric(scene->fabric, results.scene.fabric)) {
     print_all(say);
-    fmt::print(stderr, "{}: error: this version ({}) makes another fabric of the scene than version {} did\n  hint: {}\n",
-               results_path, WALE_VERSION, results.manifest.version, "begin anew with `wale run SCENE -o DIR`");
+    complain(results_path, "the scene stored here no longer compiles to the fabric stored here",
+             "begin anew with `wale run SCENE -o DIR`");
     return {};
   }
   scene->fabric = std::move(results.scene.fabric);

@@ -50,6 +50,7 @@ int check(const CheckOptions& options) {
     Sources sources;
     Diagnostics say;
     const Source* source = read_or_complain(sources, path);
+    if (source && is_knitout(*source)) source = nullptr;
     reports.push_back(source ? check_source(*source, sources, options.loops, say) : Json{{"file", path}, {"readable", false}});
     print_all(say);
     const bool good = source && !say.failed();

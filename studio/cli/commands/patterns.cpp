@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "studio/cli/commands.hpp"
+#include "studio/cli/complain.hpp"
 #include "studio/cli/exit_code.hpp"
 #include "studio/cli/input.hpp"
 #include "studio/cli/report.hpp"
@@ -56,8 +57,7 @@ int show(const std::string& name) {
     if (source) fmt::print("{}", source->text);
     return source ? success : bad_input;
   }
-  fmt::print(stderr, "error: the library has no pattern \"{}\"\n  hint: `wale patterns` lists them\n", name);
-  return bad_input;
+  return complain(name, "the library has no pattern of this name", "`wale patterns` lists them");
 }
 
 }  // namespace

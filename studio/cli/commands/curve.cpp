@@ -1,0 +1,45 @@
+#include <fmt/core.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "sim/results/csv.hpp"
+#include "sim/results/curves.hpp"
+#include "sim/results/hdf5.hpp"
+#include "studio/cli/commands.hpp"
+#include "studio/cli/complain.hpp"
+#include "studio/cli/exit_code.hpp"
+#include "studio/cli/run_folder.hpp"
+
+namespace wale {
+namespace {
+
+std::string curve_json(const Results& results) {
+  const Curve curve = stress_strain(results);
+  const nlohmann::ordered_json object = {{"complete", results.complete},
+                                         {"strain", curve.strain},
+                                         {"stress_Pa", curve.stress},
+                                         {"force_N", curve.force},
+                                         {"force_per_wale_N", curve.force_per_wale}};
+  return object.dump(2) + "\n";
+}
+
+int curve(const std::string& folder, bool json) {
+  const Results results = read_hdf5((std::filesystem::path(folder) / results_name).string());
+  if (pulled_rows(results.samples).empty()) return complain(folder, "nothing was pulled in this run");
+  fmt::print("{}", json ? curve_json(results) : curve_csv(results));
+  return success;
+}
+
+}  // namespace
+
+void add_curve(CLI::App& app, int& exit_code) {
+  auto folder = std::make_shared<std::string>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = app.add_subcommand("curve", "Prints the stress-strain table of a run");
+  command->add_option("DIR", *folder, "The folder that `wale run` left")->required();
+  command->add_flag("--json", *json, "Print one JSON object");
+  command->callback([=, &exit_code] { exit_code = curve(*folder, *json); });
+}
+
+}  // namespace wale

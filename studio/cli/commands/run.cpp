@@ -1,0 +1,82 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "sim/results/picture.hpp"
+#include "sim/results/summary.hpp"
+#include "studio/cli/commands.hpp"
+#include "studio/cli/complain.hpp"
+#include "studio/cli/exit_code.hpp"
+#include "studio/cli/interrupt.hpp"
+#include "studio/cli/progress_bar.hpp"
+#include "studio/cli/run_folder.hpp"
+#include "studio/cli/session.hpp"
+
+namespace wale {
+namespace {
+
+struct RunCommand {
+  std::string scene, out, resume;
+  bool progress = false, json = false;
+  int threads = 0;
+};
+
+Outcome simulate(Results& results, const std::filesystem::path& folder, bool progress, const std::atomic<bool>& interrupt) {
+  ProgressBar bar(progress);
+  double writing = 0;
+  RunOptions options;
+  options.progress = [&](const RunStatus& status) { bar.show(status); };
+  options.save = [&](const Results& so_far) { writing += seconds_of([&] { write_snapshots(so_far, folder); }); };
+  options.interrupt = &interrupt;
+  const Outcome outcome = run(results, options);
+  writing += seconds_of([&] { write_pictures(results, folder); });
+  add_phase(results, "write", writing);
+  write_tables(results, folder);
+  return outcome;
+}
+
+int report(const Results& results, Outcome outcome, const std::string& folder, bool json) {
+  if (json) fmt::print("{}\n", summary_json(results));
+  else fmt::print("{}", closing_words(results, folder));
+  if (outcome == Outcome::interrupted) {
+    fmt::print(stderr, "Interrupted; go on with: wale run --resume {}\n", folder);
+    return interrupted;
+  }
+  if (outcome == Outcome::failed) {
+    fmt::print(stderr, "The solve failed: {}. What was done is in {}\n", results.effort.failure, folder);
+    return failed_solve;
+  }
+  return success;
+}
+
+int run_command(const RunCommand& command) {
+  const bool resuming = !command.resume.empty();
+  if (resuming == !command.scene.empty()) return complain("wale run", "a scene or --resume is wanted, one of the two");
+  if (resuming == !command.out.empty()) return complain("wale run", "-o DIR goes with a scene, and only with one");
+  const std::atomic<bool>& interrupt = catch_interrupts();
+  use_threads(command.threads);
+  const std::filesystem::path folder = resuming ? command.resume : command.out;
+  std::optional<Results> results = resuming ? resume_run((folder / results_name).string()) : begin_run(command.scene);
+  if (!results) return bad_input;
+  prepare_folder(folder);
+  const Outcome outcome = simulate(*results, folder, command.progress, interrupt);
+  return report(*results, outcome, folder.string(), command.json);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<RunCommand>();
+  CLI::App* command = app.add_subcommand("run", "Runs a scene: compile, tighten, relax, pull");
+  command->add_option("SCENE", options->scene, "A scene file");
+  command->add_option("-o,--out", options->out, "The folder for the results");
+  command->add_option("--resume", options->resume, "Go on from the last snapshot in this folder");
+  command->add_option("--threads", options->threads, "Threads to use; as many as the machine offers if not given")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--progress", options->progress, "Show progress on stderr even if that is no terminal");
+  command->add_flag("--json", options->json, "Print the summary as one JSON object");
+  command->callback([options, &exit_code] { exit_code = run_command(*options); });
+}
+
+}  // namespace wale
