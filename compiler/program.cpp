@@ -48,7 +48,8 @@ std::string print(const Program& program) {
   text += "\n";
   int course = -1;
   for (const Instruction& at : program.code) {
-    if (at.cell.course > course) fmt::format_to(std::back_inserter(text), "; course {}\n", (course = at.cell.course) + 1);
+    if (at.cell.course > course)
+      fmt::format_to(std::back_inserter(text), "; course {}\n", (course = at.cell.course) + 1);
     text += print(at, program);
     text += "\n";
   }

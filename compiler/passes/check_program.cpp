@@ -51,9 +51,9 @@ class Checking {
     if (at.op == Op::knit || at.op == Op::tuck || at.op == Op::split) visit.stitched = true;
     if (!takes_out(at.op)) return;
     if (visit.in && !visit.stitched)
-      say_.warning(codes::carrier_unused, visit.came_in,
-                   fmt::format("carrier \"{}\" comes in and never knits",
-                               program_.carriers[static_cast<std::size_t>(carrier)]));
+      say_.warning(
+          codes::carrier_unused, visit.came_in,
+          fmt::format("carrier \"{}\" comes in and never knits", program_.carriers[static_cast<std::size_t>(carrier)]));
     visit.in = false;
   }
 

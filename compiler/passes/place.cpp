@@ -49,8 +49,7 @@ class Placing {
     if (course < 0 || wale < 0 || course >= layout_.courses || wale >= layout_.wales)
       return refuse(of.span, fmt::format("loop {} belongs to no cell of the chart", i));
     PlacedLoop& place = at(course, wale);
-    if (place.loop >= 0)
-      return refuse(of.span, fmt::format("loops {} and {} belong to one cell", place.loop, i));
+    if (place.loop >= 0) return refuse(of.span, fmt::format("loops {} and {} belong to one cell", place.loop, i));
     if (of.kind != LoopKind::knit) return refuse(of.span, fmt::format("loop {} is a tuck", i));
     if (!fits_below(of)) {
       const std::string below = course > 0 ? "exactly the loop below" : "nothing, in the first course";

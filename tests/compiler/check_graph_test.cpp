@@ -38,7 +38,8 @@ TEST(CheckGraph, PassesACastOnThatTakesEveryOtherNeedle) {
 }
 
 TEST(CheckGraph, WarnsOfALoopWithoutAParentAboveTheCastOn) {
-  EXPECT_EQ(only_line("in a\nknit + f0 a\nknit - f0 a\nknit + f0 a\nknit + f1 a\n", codes::knit_on_empty), "knit + f1 a");
+  EXPECT_EQ(only_line("in a\nknit + f0 a\nknit - f0 a\nknit + f0 a\nknit + f1 a\n", codes::knit_on_empty),
+            "knit + f1 a");
 }
 
 TEST(CheckGraph, TakesATuckForAMeantLoop) {

@@ -13,6 +13,12 @@ namespace {
 
 using Loops = std::vector<int>;
 
+#ifdef NDEBUG
+constexpr double patience = 1;
+#else
+constexpr double patience = 15;  // sanitizers look at every access
+#endif
+
 StitchGraph knit(const std::string& text) {
   Diagnostics say;
   auto graph = passes::knit(make_program(text), say);
@@ -35,9 +41,7 @@ TEST(Knit, PullsEachLoopThroughTheOneBelow) {
   EXPECT_EQ(held(graph), (std::vector<bool>{false, false, true, true}));
 }
 
-TEST(Knit, MakesALoopWithoutAParentOnAnEmptyNeedle) {
-  EXPECT_TRUE(through(knit("in a\nknit + b7 a\n"), 0).empty());
-}
+TEST(Knit, MakesALoopWithoutAParentOnAnEmptyNeedle) { EXPECT_TRUE(through(knit("in a\nknit + b7 a\n"), 0).empty()); }
 
 TEST(Knit, CarriesALoopToTheNeedleThatFacesIt) {
   const StitchGraph graph = knit("in a\nknit + f3 a\nrack 2\nxfer f3 b1\nrack 0\nknit - b1 a\nknit - f3 a\n");
@@ -155,7 +159,7 @@ TEST(Knit, RefusesAStitchWithoutADirection) {
   EXPECT_EQ(say.all().at(0).code, codes::direction_missing);
 }
 
-TEST(Knit, RunsAMillionInstructionsInTwoSeconds) {
+TEST(Knit, RunsAMillionInstructionsInTwoSecondsWhenOptimised) {
   Diagnostics say;
   const Program program = *passes::lower_chart(make_random_chart(700, 1000, Form::flat, 1), say);
   ASSERT_GT(program.code.size(), 1000000u);
@@ -164,16 +168,18 @@ TEST(Knit, RunsAMillionInstructionsInTwoSeconds) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   EXPECT_EQ(graph->loops.size(), 700000u);
   RecordProperty("seconds", std::to_string(seconds));
-  EXPECT_LT(seconds, 2);
+  EXPECT_LT(seconds, 2 * patience);
 }
 
 TEST(Knit, PrintsTheGraphsOnRecord) {
   Diagnostics say;
-  expect_golden("ir/flat.graph", print(*passes::knit(*passes::lower_chart(make_chart({"ppk", "kpk", "kkk"}), say), say)));
+  expect_golden("ir/flat.graph",
+                print(*passes::knit(*passes::lower_chart(make_chart({"ppk", "kpk", "kkk"}), say), say)));
   expect_golden("ir/tube.graph",
                 print(*passes::knit(*passes::lower_chart(make_chart({"kpkk", "kkkk"}, Form::tube), say), say)));
-  expect_golden("ir/stacks.graph", print(knit("in a\nknit + f0 a\nknit + f1 a\nxfer f1 b1\nrack -1\nxfer b1 f0\nrack 0\n"
-                                              "tuck - f1 a\nknit - f0 a\n")));
+  expect_golden("ir/stacks.graph",
+                print(knit("in a\nknit + f0 a\nknit + f1 a\nxfer f1 b1\nrack -1\nxfer b1 f0\nrack 0\n"
+                           "tuck - f1 a\nknit - f0 a\n")));
 }
 
 }  // namespace

@@ -102,7 +102,9 @@ TEST(LowerChart, BringsAYarnInBeforeItsFirstStitchAndTakesItOutAfterItsLast) {
   EXPECT_EQ(program.carriers, (std::vector<std::string>{"a", "b", "spare"}));
   std::string order;
   for (const Instruction& at : program.code)
-    order += std::string(at.op == Op::in ? "in " : at.op == Op::out ? "out " : "") +
+    order += std::string(at.op == Op::in    ? "in "
+                         : at.op == Op::out ? "out "
+                                            : "") +
              program.carriers[static_cast<std::size_t>(at.carriers[0])] + ";";
   EXPECT_EQ(order, "in a;a;a;in b;b;b;out b;a;a;out a;");
 }
@@ -110,7 +112,8 @@ TEST(LowerChart, BringsAYarnInBeforeItsFirstStitchAndTakesItOutAfterItsLast) {
 TEST(LowerChart, GivesEveryInstructionItsCellItsTextAndItsLength) {
   const Chart chart = make_random_chart(6, 4, Form::flat, 5);
   for (const Instruction& at : lower(chart).code) {
-    const Cell& cell = chart.courses.at(static_cast<std::size_t>(at.cell.course)).at(static_cast<std::size_t>(at.cell.wale));
+    const Cell& cell =
+        chart.courses.at(static_cast<std::size_t>(at.cell.course)).at(static_cast<std::size_t>(at.cell.wale));
     EXPECT_EQ(at.span.begin, cell.span.begin);
     EXPECT_EQ(at.stitch_length, at.op == Op::knit ? cell.stitch_length : 0);
   }

@@ -19,10 +19,11 @@ inline Needle make_needle(const std::string& word) {
 
 inline Instruction make_instruction(const std::string& line, Program& program) {
   static const std::map<std::string, Op> ops{
-      {"in", Op::in},         {"inhook", Op::inhook}, {"releasehook", Op::releasehook}, {"out", Op::out},
-      {"outhook", Op::outhook}, {"knit", Op::knit},   {"tuck", Op::tuck},               {"split", Op::split},
-      {"miss", Op::miss},     {"rack", Op::rack},     {"stitch", Op::stitch},           {"pause", Op::pause},
-      {"drop", Op::knit},     {"amiss", Op::tuck},    {"xfer", Op::split}};
+      {"in", Op::in},     {"inhook", Op::inhook},   {"releasehook", Op::releasehook},
+      {"out", Op::out},   {"outhook", Op::outhook}, {"knit", Op::knit},
+      {"tuck", Op::tuck}, {"split", Op::split},     {"miss", Op::miss},
+      {"rack", Op::rack}, {"stitch", Op::stitch},   {"pause", Op::pause},
+      {"drop", Op::knit}, {"amiss", Op::tuck},      {"xfer", Op::split}};
   std::istringstream words(line);
   std::string word;
   words >> word;
@@ -30,7 +31,8 @@ inline Instruction make_instruction(const std::string& line, Program& program) {
   made.op = ops.at(word);
   const bool no_yarn = word == "drop" || word == "amiss" || word == "xfer";
   const bool at_needle = made.op == Op::knit || made.op == Op::tuck || made.op == Op::split || made.op == Op::miss;
-  if (at_needle && !no_yarn) made.direction = (words >> word, word == "+") ? Direction::increasing : Direction::decreasing;
+  if (at_needle && !no_yarn)
+    made.direction = (words >> word, word == "+") ? Direction::increasing : Direction::decreasing;
   if (at_needle) made.needle = (words >> word, make_needle(word));
   if (made.op == Op::split) made.other = (words >> word, make_needle(word));
   if (made.op == Op::rack) words >> made.value[0];
