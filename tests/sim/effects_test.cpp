@@ -1,0 +1,386 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "sim/effects/beads.hpp"
+#include "sim/parts.hpp"
+#include "tests/support/finite_difference.hpp"
+#include "tests/support/make_fabric.hpp"
+#include "tests/support/one_thread.hpp"
+
+namespace wale {
+namespace {
+
+struct Case {
+  std::string name;
+  EffectSpec spec;
+  ContactLaw law = ContactLaw::barrier;
+  bool elastic = true;    ///< has a stiffness, no damping; else the other way round
+  bool internal = true;   ///< yarns act on yarns only: forces sum to zero
+  bool no_torque = true;  ///< for an internal effect: torques too
+  bool exact_is_convex = false;
+};
+
+/// Where every effect of the list is asked: rest lengths half tightened, a tether half way.
+constexpr double now = 0.4;
+
+std::vector<Case> cases() {
+  const Tether moving{.segments = {0, 1, 7, 9},
+                      .axes = {1, 0, 0.5},
+                      .centre = {1e-4, 2e-4, 0},
+                      .scale = {1.2, 0.9, 1},
+                      .move = {3e-4, -1e-4, 2e-4},
+                      .progress = Schedule::ramp(0, 1, 1)};
+  const Contact inflated{.sampling = 0.05, .inflate_beads = true};
+  using enum ContactLaw;
+  return {
+      {"StretchAtOneNode", Stretch{.nodes = 1}},
+      {"StretchAtThreeNodes", Stretch{.nodes = 3}},
+      {"Bend", Bend{}},
+      {"Gravity", Gravity{{1, -9.81, 2}}, barrier, true, false, false, true},
+      {"Drag", Drag{}, barrier, false, false, false, true},
+      {"BarrierContact", Contact{}, barrier},
+      {"QuadraticContact", Contact{}, quadratic},
+      {"CoreShellContact", Contact{}, core_shell},
+      {"InflatedContact", inflated, quadratic},
+      // Sliding beads rub where their centres are, not where they touch: a couple is left over.
+      {"ContactDamping", ContactDamping{.tangential = 5, .normal = 40}, barrier, false, true, false, true},
+      {"NormalContactDamping", ContactDamping{.normal = 40}, barrier, false, true, true, true},
+      {"Tether", moving, barrier, true, false, false, true},
+      {"Plates", Plates{.gap = 0.2e-3}, barrier, true, false, false, true},
+  };
+}
+
+/// All that an effect may be asked for, at one state.
+struct Answer {
+  double energy = 0, dissipation = 0;
+  Points force;
+  Stiffness stiffness, damping;
+  explicit Answer(Eigen::Index points)
+      : force(Points::Zero(3, points)), stiffness(static_cast<int>(points)), damping(static_cast<int>(points)) {}
+  Load all(bool convex = false) { return {&energy, &force, &stiffness, &damping, &dissipation, convex}; }
+};
+
+class EveryEffect : public testing::TestWithParam<Case> {
+ protected:
+  struct Bench {
+    Fabric fabric;
+    Schedule tightening = Schedule::ramp(0, 1, 0.8);
+    State start, at;
+    std::unique_ptr<Parts> parts;
+    std::unique_ptr<Effect> effect;
+  };
+
+  static std::unique_ptr<Bench> bench(Fabric fabric) {
+    auto made = std::make_unique<Bench>();
+    made->fabric = std::move(fabric);
+    for (std::size_t i = 0; i < made->fabric.segments.size(); ++i)
+      made->fabric.segments[i].knitted = (0.8 + 0.02 * static_cast<double>(i % 7)) * made->fabric.segments[i].length;
+    made->start = shaken_state(made->fabric, 0, 1);
+    made->at = shaken_state(made->fabric, 0.1, 2);
+    shake(made->at.q, 1e-5, 3);
+    made->at.t = now;
+    made->parts = std::make_unique<Parts>(Parts{made->fabric, made->tightening, made->start});
+    made->effect = std::visit([&](const auto& spec) { return make(spec, *made->parts); }, GetParam().spec);
+    return made;
+  }
+  std::unique_ptr<Bench> small(unsigned seed) { return bench(crossing_yarns(GetParam().law, seed)); }
+
+  static Answer ask(Effect& effect, const State& at, bool convex = false) {
+    Answer answer(at.q.cols());
+    effect.prepare(at);
+    Load load = answer.all(convex);
+    effect.add(at, load);
+    return answer;
+  }
+
+  static Points force_at(Effect& effect, State at, const Points* q, const Points* v) {
+    if (q) at.q = *q;
+    if (v) at.v = *v;
+    Points force = Points::Zero(3, at.q.cols());
+    Load load{.force = &force};
+    effect.prepare(at);
+    effect.add(at, load);
+    return force;
+  }
+
+  static Eigen::VectorXd one_number(Effect& effect, const State& at, double* Load::*which) {
+    Eigen::VectorXd number = Eigen::VectorXd::Zero(1);
+    Load load;
+    load.*which = number.data();
+    effect.prepare(at);
+    effect.add(at, load);
+    return number;
+  }
+
+ private:
+  OneThread one_thread_;
+};
+
+constexpr unsigned seeds[] = {11, 12, 13};
+constexpr double small_move = 2e-9;   // m
+constexpr double small_speed = 1e-3;  // m/s
+
+TEST_P(EveryEffect, HasAForceThatIsTheSlopeOfItsEnergyAndItsDissipation) {
+  for (const unsigned seed : seeds) {
+    const auto b = small(seed);
+    const Answer answer = ask(*b->effect, b->at);
+    const auto energy = [&](const Points& q) {
+      State there = b->at;
+      there.q = q;
+      return one_number(*b->effect, there, &Load::energy);
+    };
+    const auto dissipation = [&](const Points& v) {
+      State there = b->at;
+      there.v = v;
+      return one_number(*b->effect, there, &Load::dissipation);
+    };
+    const Eigen::VectorXd expected =
+        -(slope_of(energy, b->at.q, 1e-8) + slope_of(dissipation, b->at.v, small_speed)).transpose();
+    ASSERT_GT(expected.norm(), 0) << "the effect is asleep in this state";
+    EXPECT_LT((answer.force.reshaped() - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_P(EveryEffect, HasAStiffnessThatIsTheSlopeOfItsForceByPosition) {
+  for (const unsigned seed : seeds) {
+    const auto b = small(seed);
+    b->at.v.setZero();  // the stiffness is that of the energy alone
+    const Eigen::MatrixXd stiffness = dense(ask(*b->effect, b->at).stiffness);
+    const Eigen::MatrixXd expected = -slope_of(
+        [&](const Points& q) { return force_at(*b->effect, b->at, &q, nullptr).reshaped().eval(); }, b->at.q, small_move);
+    EXPECT_LE((stiffness - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff() + 1e-12);
+  }
+}
+
+TEST_P(EveryEffect, HasADampingThatIsTheSlopeOfItsForceByVelocity) {
+  for (const unsigned seed : seeds) {
+    const auto b = small(seed);
+    const Eigen::MatrixXd damping = dense(ask(*b->effect, b->at).damping);
+    const Eigen::MatrixXd expected = -slope_of(
+        [&](const Points& v) { return force_at(*b->effect, b->at, nullptr, &v).reshaped().eval(); }, b->at.v,
+        small_speed);
+    EXPECT_EQ(expected.cwiseAbs().maxCoeff() > 0, !GetParam().elastic);
+    EXPECT_LE((damping - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
+TEST_P(EveryEffect, LosesTwiceItsDissipationAndNeverGains) {
+  for (const unsigned seed : seeds) {
+    const auto b = small(seed);
+    const Answer answer = ask(*b->effect, b->at);
+    EXPECT_EQ(answer.dissipation > 0, !GetParam().elastic);
+    if (GetParam().elastic) continue;
+    EXPECT_EQ(answer.energy, 0);
+    EXPECT_NEAR(answer.force.cwiseProduct(b->at.v).sum(), -2 * answer.dissipation, 1e-12 * answer.dissipation);
+  }
+}
+
+TEST_P(EveryEffect, AddsToWhatIsThereAndNeverClears) {
+  const auto b = small(11);
+  const Answer once = ask(*b->effect, b->at);
+  Answer twice(b->at.q.cols());
+  Load load = twice.all();
+  b->effect->add(b->at, load);
+  b->effect->add(b->at, load);
+  const auto near = [](const auto& a, const auto& c) { return (a - 2 * c).norm() <= 1e-13 * c.norm(); };
+  EXPECT_NEAR(twice.energy, 2 * once.energy, 1e-13 * std::abs(once.energy));
+  EXPECT_NEAR(twice.dissipation, 2 * once.dissipation, 1e-13 * once.dissipation);
+  EXPECT_TRUE(near(twice.force, once.force));
+  EXPECT_TRUE(near(dense(twice.stiffness), dense(once.stiffness)));
+  EXPECT_TRUE(near(dense(twice.damping), dense(once.damping)));
+}
+
+TEST_P(EveryEffect, AnswersTheSameWhenLessIsAsked) {
+  const auto b = small(12);
+  const Answer all = ask(*b->effect, b->at);
+  Answer some(b->at.q.cols());
+  for (Load load : {Load{.energy = &some.energy}, Load{.force = &some.force}, Load{.stiffness = &some.stiffness},
+                    Load{.damping = &some.damping}, Load{.dissipation = &some.dissipation}, Load{}})
+    b->effect->add(b->at, load);
+  EXPECT_EQ(some.energy, all.energy);
+  EXPECT_EQ(some.dissipation, all.dissipation);
+  EXPECT_EQ(some.force, all.force);
+  EXPECT_EQ(dense(some.stiffness), dense(all.stiffness));
+  EXPECT_EQ(dense(some.damping), dense(all.damping));
+}
+
+TEST_P(EveryEffect, HasForcesAndTorquesThatSumToZeroIfInternal) {
+  for (const unsigned seed : seeds) {
+    const auto b = small(seed);
+    const Points force = ask(*b->effect, b->at).force;
+    const double size = force.cwiseAbs().maxCoeff();
+    EXPECT_EQ(force.rowwise().sum().norm() < 1e-12 * size, GetParam().internal);
+    Vec3 torque = Vec3::Zero();
+    for (Eigen::Index k = 0; k < force.cols(); ++k) torque += b->at.q.col(k).cross(force.col(k));
+    EXPECT_EQ(torque.norm() < 1e-12 * size * 1e-3, GetParam().no_torque);
+  }
+}
+
+TEST_P(EveryEffect, KeepsItsEnergyInARigidMotionIfInternal) {
+  if (!GetParam().internal) return;
+  const auto b = small(13);
+  const Answer before = ask(*b->effect, b->at);
+  const Mat3 turn = Eigen::Quaterniond(0.4, -0.2, 0.7, 0.5).normalized().toRotationMatrix();
+  State moved = b->at;
+  moved.q = (turn * b->at.q).colwise() + Vec3(0.01, -0.02, 0.005);
+  moved.v = turn * b->at.v;
+  const Answer after = ask(*b->effect, moved);
+  EXPECT_NEAR(after.energy, before.energy, 1e-10 * before.energy);
+  EXPECT_NEAR(after.dissipation, before.dissipation, 1e-10 * before.dissipation);
+  EXPECT_LT((after.force - turn * before.force).norm(), 1e-10 * before.force.norm());
+}
+
+TEST_P(EveryEffect, AnswersTheSameBitsForAnyNumberOfThreads) {
+  const auto b = bench(woven_yarns(8, 30, 5));
+  const auto with = [&](int count) {
+    omp_set_num_threads(count);
+    return ask(*b->effect, b->at);
+  };
+  const Answer one = with(1);
+  Eigen::VectorXd expected, product;
+  const Eigen::VectorXd probe = b->at.v.reshaped();
+  ASSERT_GT(one.force.norm(), 0);
+  for (const int count : {2, 3}) {
+    const Answer many = with(count);
+    EXPECT_EQ(one.energy, many.energy);
+    EXPECT_EQ(one.dissipation, many.dissipation);
+    EXPECT_EQ(one.force, many.force);
+    for (const auto matrix : {&Answer::stiffness, &Answer::damping}) {
+      (one.*matrix).multiply(probe, expected);
+      (many.*matrix).multiply(probe, product);
+      EXPECT_EQ(expected, product);
+    }
+  }
+}
+
+TEST_P(EveryEffect, AnswersTheSameBitsWhereverItWasAskedBefore) {
+  const auto fresh = small(12), travelled = small(12);
+  const Answer expected = ask(*fresh->effect, fresh->at);
+  for (int i = 20; i > 0; --i) {
+    State elsewhere = travelled->at;
+    elsewhere.t = 0.05 * i;
+    elsewhere.q.row(i % 3) *= 1 + 0.02 * i;
+    ask(*travelled->effect, elsewhere);
+  }
+  const Answer again = ask(*travelled->effect, travelled->at);
+  EXPECT_EQ(again.energy, expected.energy);
+  EXPECT_EQ(again.dissipation, expected.dissipation);
+  EXPECT_EQ(again.force, expected.force);
+  EXPECT_EQ(dense(again.stiffness), dense(expected.stiffness));
+  EXPECT_EQ(dense(again.damping), dense(expected.damping));
+}
+
+TEST_P(EveryEffect, HasAConvexStiffnessThatIsPositiveSemidefinite) {
+  for (const unsigned seed : seeds) {
+    const auto b = small(seed);
+    const Answer exact = ask(*b->effect, b->at), convex = ask(*b->effect, b->at, true);
+    for (const auto matrix : {&Answer::stiffness, &Answer::damping}) {
+      const Eigen::MatrixXd k = dense(convex.*matrix);
+      const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues();
+      EXPECT_GE(values.minCoeff(), -1e-12 * values.maxCoeff());
+    }
+    EXPECT_TRUE(!GetParam().exact_is_convex || dense(convex.stiffness) == dense(exact.stiffness));
+    EXPECT_EQ(dense(convex.damping), dense(exact.damping));
+    EXPECT_EQ(convex.force, exact.force);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Effects, EveryEffect, testing::ValuesIn(cases()),
+                         [](const auto& of) { return of.param.name; });
+
+/// A yarn under tension everywhere: nothing of the stretch stiffness is negative, so nothing is left out.
+TEST(Stretch, HasTheSameStiffnessConvexOrNotWhereTheYarnIsTaut) {
+  Fabric fabric = straight_rod(5e-3, 6);
+  shake(fabric.points, 1e-5, 4);
+  fabric.points *= 1.2;
+  const Schedule laid = 0.0;
+  State at = shaken_state(fabric, 0, 1);
+  Parts parts{fabric, laid, at};
+  const auto stretch = make(Stretch{}, parts);
+  Stiffness exact(9), convex(9);
+  Load exactly{.stiffness = &exact}, convexly{.stiffness = &convex, .convex = true};
+  stretch->add(at, exactly);
+  stretch->add(at, convexly);
+  EXPECT_EQ(dense(exact), dense(convex));
+}
+
+TEST(Bend, HasTheSameStiffnessConvexOrNotInAStraightYarn) {
+  const Fabric fabric = straight_rod(5e-3, 6);
+  const Schedule laid = 0.0;
+  State at = shaken_state(fabric, 0, 1);
+  Parts parts{fabric, laid, at};
+  const auto bend = make(Bend{}, parts);
+  Stiffness exact(9), convex(9);
+  Load exactly{.stiffness = &exact}, convexly{.stiffness = &convex, .convex = true};
+  bend->add(at, exactly);
+  bend->add(at, convexly);
+  EXPECT_LT((dense(exact) - dense(convex)).norm(), 1e-12 * dense(exact).norm());
+}
+
+/// Eqs. (17)-(20) as corrected, summed over every pair of beads with no list: V and the closest pair.
+std::pair<double, double> sum_over_all_beads(const Fabric& fabric, const Points& q, double alpha, double screening) {
+  struct Bead {
+    Vec3 at;
+    int segment;
+    double arc, share;
+  };
+  std::vector<Bead> beads;
+  for (const Yarn& yarn : fabric.yarns) {
+    double arc = 0;
+    for (int i = yarn.first_segment; i < yarn.first_segment + yarn.segments; ++i) {
+      const double l = fabric.segment(i).knitted, d = fabric.material_of(i).diameter;
+      const int n = static_cast<int>(std::ceil(l / (d * std::sqrt(6 * alpha * (1 + alpha)))));
+      for (int k = 1; k <= n; ++k) {
+        const double s = (2.0 * k - 1) / (2 * n);
+        beads.push_back({combine(q, fabric.first_point(i), basis(s).value), i, arc + s * l, l / n});
+      }
+      arc += l;
+    }
+  }
+  double energy = 0, closest = 1e9;
+  for (std::size_t i = 0; i < beads.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Bead &a = beads[i], &b = beads[j];
+      if (a.segment == b.segment) continue;
+      const Material &p = fabric.material_of(a.segment), &r = fabric.material_of(b.segment);
+      const double d = (p.diameter + r.diameter) / 2, delta = (a.at - b.at).norm() / d;
+      const bool same_yarn = fabric.segment(a.segment).yarn == fabric.segment(b.segment).yarn;
+      if (same_yarn && std::abs(a.arc - b.arc) < screening * d) continue;
+      closest = std::min(closest, delta);
+      if (delta < 1) energy += a.share * b.share * p.contact_stiffness * (1 / (delta * delta) + delta * delta - 2);
+    }
+  return {energy, closest};
+}
+
+TEST(Contact, MissesNoPairOfBeadsWhileTheYarnsMove) {
+  Fabric fabric = woven_yarns(3, 8, 9);
+  const Schedule tight = 1.0;
+  State at = shaken_state(fabric, 1, 5);
+  Parts parts{fabric, tight, at};
+  const Contact spec;
+  const auto contact = make(spec, parts);
+  for (int step = 0; step < 40; ++step) {
+    at.q += 2e-5 * at.v;
+    contact->prepare(at);
+    double energy = 0;
+    Load load{.energy = &energy};
+    contact->add(at, load);
+    const auto [expected, closest] = sum_over_all_beads(fabric, at.q, spec.sampling, spec.screening);
+    ASSERT_GT(expected, 0);
+    EXPECT_NEAR(energy, expected, 1e-10 * expected) << step;
+    EXPECT_NEAR(contact->closest(), closest, 1e-10) << step;
+  }
+}
+
+/// Ding et al. 2023, Eqs. (A.4), (A.5): with the bound's number of beads the inflated diameter is (1 + alpha) d.
+TEST(Beads, AreInflatedByAlphaWhenTheirNumberIsTheBound) {
+  const double d = 0.5e-3, alpha = 0.03, spacing = d * std::sqrt(6 * alpha * (1 + alpha));
+  EXPECT_EQ(beads_per_segment(3.999 * spacing, d, alpha), 4);
+  EXPECT_EQ(beads_per_segment(4.001 * spacing, d, alpha), 5);
+  EXPECT_NEAR(inflated_diameter(d, spacing), (1 + alpha) * d, 1e-15);
+}
+
+}  // namespace
+}  // namespace wale
