@@ -42,7 +42,8 @@ class Checking {
   void check_racking(const Instruction& at) {
     if (std::abs(at.value[0]) <= most_racking) return;
     say_.warning(codes::racked_far, at.span,
-                 fmt::format("the bed is racked by {:g} needles; most machines allow {:g}", at.value[0], most_racking));
+                 fmt::format("the bed is racked by {:g} needles; most machines allow {:g}", at.value[0], most_racking),
+                 "reach far needles by several transfers");
   }
 
   void follow_carrier(const Instruction& at, int carrier) {
@@ -53,7 +54,8 @@ class Checking {
     if (visit.in && !visit.stitched)
       say_.warning(
           codes::carrier_unused, visit.came_in,
-          fmt::format("carrier \"{}\" comes in and never knits", program_.carriers[static_cast<std::size_t>(carrier)]));
+          fmt::format("carrier \"{}\" comes in and never knits", program_.carriers[static_cast<std::size_t>(carrier)]),
+          "knit with it, or leave it out");
     visit.in = false;
   }
 

@@ -29,7 +29,7 @@ inline constexpr std::string_view knit_on_empty = "G001";
 inline constexpr std::string_view loop_runs = "G002";
 inline constexpr std::string_view long_float = "G003";
 
-/// A code, how bad it is, what it means and what to do about it.
+/// A code, how bad it is, what it means, and an example of what to write instead.
 struct ProgramCode {
   std::string_view code;
   Severity severity;
@@ -37,29 +37,31 @@ struct ProgramCode {
 };
 
 inline constexpr std::array<ProgramCode, 18> program_codes{{
-    {empty_chart, Severity::error, "a chart has no stitches", "give it at least one course and one wale"},
-    {tube_wales, Severity::error, "a tube has an odd number of wales, or fewer than four",
-     "use an even number of wales, at least 4: half of them go on each bed"},
-    {not_placeable, Severity::error, "a loop is not pulled through the one loop below it, so it has no place yet",
-     "knit every cell of every course, each through the loop below"},
-    {carrier_not_in, Severity::error, "a carrier knits or goes out while it is out", "bring it in first"},
-    {carrier_already_in, Severity::error, "a carrier is brought in while it is in", "take it out first"},
-    {carrier_missing, Severity::error, "an instruction needs a carrier", "name the carrier"},
-    {carrier_twice, Severity::error, "an instruction names a carrier twice", "name it once"},
-    {direction_missing, Severity::error, "a stitch with yarn has no direction", "write + or - after the operation"},
-    {not_facing, Severity::error, "loops go to a needle that does not face theirs", "rack the beds so that F = B + R"},
-    {same_bed, Severity::error, "loops go to a needle of the same bed", "move them to the other bed"},
-    {slider, Severity::error, "a slider is used, which this version cannot do", "use the needles of the two beds"},
-    {needle_out_of_range, Severity::error, "a needle lies farther out than any machine is wide",
-     "number the needles from -100000 to 100000"},
-    {carrier_left_in, Severity::warning, "a carrier is still in at the end", "take it out after its last stitch"},
-    {carrier_unused, Severity::warning, "a carrier is brought in and never knits", "leave it out"},
-    {racked_far, Severity::warning, "the beds are racked farther than most machines go", "rack at most 4 needles"},
+    {empty_chart, Severity::error, "a chart has no stitches", "wales: 12\nbands:\n  - {stitch: jersey, courses: 13}"},
+    {tube_wales, Severity::error, "a tube has an odd number of wales, or fewer than four: half of them go on each bed",
+     "form: tube\nwales: 20"},
+    {not_placeable, Severity::error,
+     "a stitch is not pulled through the one loop below it, or a cell has no stitch: it cannot be drawn yet",
+     "knit + f0 a\nknit - f0 a ; each loop through the one below"},
+    {carrier_not_in, Severity::error, "a carrier knits, or goes out, while it is out", "in a\nknit + f0 a"},
+    {carrier_already_in, Severity::error, "a carrier is brought in while it is in", "in a\nknit + f0 a\nout a\nin a"},
+    {carrier_missing, Severity::error, "an instruction names no carrier, and needs one", "in a"},
+    {carrier_twice, Severity::error, "an instruction names a carrier twice", "knit + f0 a b ; not a a"},
+    {direction_missing, Severity::error, "a stitch with yarn has no direction", "knit + f0 a"},
+    {not_facing, Severity::error, "loops go to a needle that does not face theirs: front = back + racking",
+     "rack 2\nxfer f3 b1"},
+    {same_bed, Severity::error, "loops go to a needle of the same bed", "xfer f3 b3"},
+    {slider, Severity::error, "a slider is used, which cannot be simulated yet", "xfer f3 b3 ; not bs3"},
+    {needle_out_of_range, Severity::error, "a needle lies beyond the end of any bed: -100000 to 100000 are allowed",
+     "knit + f12 a"},
+    {carrier_left_in, Severity::warning, "a carrier is still in at the end", "out a ; after its last stitch"},
+    {carrier_unused, Severity::warning, "a carrier is brought in and never knits", "in a\nknit + f0 a\nout a"},
+    {racked_far, Severity::warning, "the beds are racked farther than most machines go", "rack 4"},
     {knit_on_empty, Severity::warning, "a loop is knit on an empty needle above the cast-on",
-     "tuck if a new loop is meant"},
-    {loop_runs, Severity::warning, "a loop holds nothing and nothing holds it: it will run",
-     "knit it, or keep it on its needle"},
-    {long_float, Severity::warning, "yarn floats past many needles", "tuck it on the way"},
+     "tuck + f0 a ; if a new loop is meant"},
+    {loop_runs, Severity::warning, "a loop holds nothing and nothing holds it, so it will run",
+     "knit + f0 a ; before its needle drops it"},
+    {long_float, Severity::warning, "yarn floats past more than 20 needles", "tuck + f10 a ; on the way"},
 }};
 
 }  // namespace wale::codes
