@@ -1,0 +1,33 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "compiler/passes.hpp"
+
+namespace wale {
+namespace {
+
+std::string read(const std::string& path) {
+  std::ifstream file(std::string(WALE_SOURCE_DIR) + "/" + path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(CompilerPage, ShowsWhatTheCompilerPrints) {
+  const std::string page = read("docs/compiler.md"), fence = "```\n";
+  const Source source{"flat.yaml", read("tests/golden/ir/flat.yaml")};
+  Diagnostics say;
+  const auto chart = passes::parse_chart(source, {}, say);
+  ASSERT_TRUE(chart);
+  const Program program = passes::lower_chart(*chart, say).value();
+  const StitchGraph graph = passes::knit(program, say).value();
+  const Layout layout = passes::place(graph, *chart, say).value();
+  EXPECT_TRUE(say.all().empty());
+  EXPECT_NE(page.find("```yaml\n" + source.text + fence), std::string::npos);
+  for (const std::string& shown :
+       {print(*chart), print(program), print(graph), print(layout), read("tests/golden/ir/tube.k")})
+    EXPECT_NE(page.find("\n" + fence + shown + fence), std::string::npos) << shown;
+}
+
+}  // namespace
+}  // namespace wale
