@@ -62,6 +62,11 @@ std::size_t Diagnostics::error_count() const {
       all_.begin(), all_.end(), [](const Diagnostic& one) { return one.severity == Severity::error; }));
 }
 
+void Diagnostics::order_by_place(std::size_t kept) {
+  std::stable_sort(all_.begin() + static_cast<std::ptrdiff_t>(std::min(kept, all_.size())), all_.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
+}
+
 std::string print(const Diagnostic& diagnostic) {
   std::string text;
   if (diagnostic.span.source) {

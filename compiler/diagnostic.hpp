@@ -27,6 +27,8 @@ class Diagnostics {
   bool failed() const { return error_count() > 0; }
   std::size_t error_count() const;  ///< so that a pass can tell its own errors from earlier ones
   const std::vector<Diagnostic>& all() const { return all_; }
+  /// Puts those after the first `kept` into the order of their text, for a reader goes from top to bottom.
+  void order_by_place(std::size_t kept);
 
  private:
   std::vector<Diagnostic> all_;

@@ -21,7 +21,8 @@ std::string_view name_of(YamlNode::Kind kind) {
 
 bool is_scalar(const YamlNode& node, std::string_view what, Diagnostics& say) {
   if (node.kind == YamlNode::Kind::scalar) return true;
-  say.error("Y004", node.span, fmt::format("{} must be a single value, but this is {}", what, name_of(node.kind)));
+  say.error("Y004", node.span, fmt::format("{} must be a single value, but this is {}", what, name_of(node.kind)),
+            "write one word or one quantity behind the colon");
   return false;
 }
 

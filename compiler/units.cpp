@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -50,13 +52,13 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// udunits would take a number inside or behind a unit as a factor, and hide a slip of the pen.
+/// udunits would take a number inside or behind a unit as a factor, and let a stray bracket pass: slips of the pen.
 bool looks_like_a_unit(std::string_view text) {
   if (text.empty() || std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '-' || text[0] == '.') return false;
   for (std::size_t i = 1; i < text.size(); ++i) {
     if (text[i - 1] == ' ' && std::isdigit(static_cast<unsigned char>(text[i]))) return false;
   }
-  return true;
+  return std::count(text.begin(), text.end(), '(') == std::count(text.begin(), text.end(), ')');
 }
 
 }  // namespace

@@ -71,6 +71,8 @@ class TreeBuilder {
     for (std::size_t i = begin + 1; i < text_.size(); ++i) {
       if (quote == '"' && text_[i] == '\\') {
         ++i;
+      } else if (quote == '\'' && text_.compare(i, 2, "''") == 0) {
+        ++i;
       } else if (text_[i] == quote) {
         return i + 1;
       }
@@ -78,22 +80,29 @@ class TreeBuilder {
     return text_.size();
   }
 
-  /// A block ends before the first line that is indented no deeper than the line that opens it.
+  /// The column of the key or the dash that a block belongs to.
+  std::size_t column_outside(std::size_t block) const {
+    const std::size_t line = block == 0 ? 0 : text_.rfind('\n', block - 1) + 1;
+    std::size_t column = 0, at = text_.find_first_not_of(' ', line);
+    while (at < block) {
+      column = at - line;
+      if (text_[at] != '-') break;
+      at = text_.find_first_not_of(' ', at + 1);
+    }
+    return column;
+  }
+
+  /// A block ends before the first line that is indented no deeper than what it belongs to.
   std::size_t end_of_block(std::size_t begin) const {
-    const std::size_t opening = begin == 0 ? 0 : text_.rfind('\n', begin - 1) + 1;
-    const std::size_t outside = text_.find_first_not_of(" -", opening) - opening;
-    std::size_t line = std::min(text_.find('\n', begin), text_.size());
-    std::size_t end = line;
-    while (line < text_.size()) {
+    const std::size_t outside = column_outside(begin);
+    std::size_t end = std::min(text_.find('\n', begin), text_.size());
+    for (std::size_t line = end; line < text_.size();) {
       const std::size_t first = text_.find_first_not_of(" \r", line + 1);
       if (first == std::string::npos) break;
-      if (text_[first] != '\n') {
-        if (first - line - 1 <= std::min(outside, first - line)) break;
-        end = std::min(text_.find('\n', first), text_.size());
-        line = end;
-      } else {
-        line = first;
-      }
+      const bool blank = text_[first] == '\n';
+      if (!blank && first - line - 1 <= outside) break;
+      line = std::min(text_.find('\n', first), text_.size());
+      if (!blank) end = line;
     }
     return end;
   }

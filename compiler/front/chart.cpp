@@ -19,9 +19,7 @@ bool is_chart(const YamlNode& root, Diagnostics& say) {
   return false;
 }
 
-}  // namespace
-
-std::optional<Chart> parse_chart(const Source& source, const ChartOverrides& overrides, Diagnostics& say) {
+std::optional<Chart> read_chart(const Source& source, const ChartOverrides& overrides, Diagnostics& say) {
   const std::size_t errors_before = say.error_count();
   const std::optional<YamlNode> root = parse_yaml(source, say);
   if (!root || !is_chart(*root, say)) return std::nullopt;
@@ -40,6 +38,15 @@ std::optional<Chart> parse_chart(const Source& source, const ChartOverrides& ove
   std::vector<Band> bands = read_bands(*root, {legend, patterns, yarns}, say);
   if (say.error_count() > errors_before) return std::nullopt;
   return lay_out(head, yarns, std::move(bands), overrides, say);
+}
+
+}  // namespace
+
+std::optional<Chart> parse_chart(const Source& source, const ChartOverrides& overrides, Diagnostics& say) {
+  const std::size_t before = say.all().size();
+  std::optional<Chart> chart = read_chart(source, overrides, say);
+  say.order_by_place(before);
+  return chart;
 }
 
 }  // namespace wale::passes

@@ -67,9 +67,7 @@ void read_gauge(const YamlNode& node, ParsedScene& scene, Diagnostics& say) {
   scene.thickness = value.value_or(0);
 }
 
-}  // namespace
-
-std::optional<ParsedScene> parse_scene(const Source& source, Diagnostics& say) {
+std::optional<ParsedScene> read_scene(const Source& source, Diagnostics& say) {
   const std::size_t errors_before = say.error_count();
   const std::optional<YamlNode> root = parse_yaml(source, say);
   if (!root || !is_scene(*root, say)) return std::nullopt;
@@ -86,6 +84,15 @@ std::optional<ParsedScene> parse_scene(const Source& source, Diagnostics& say) {
   if (const YamlNode* solver = fields.find("solver")) common.solver = read_solver(*solver, say);
   scene.stages = read_stages(*root, common, say);
   if (say.error_count() > errors_before) return std::nullopt;
+  return scene;
+}
+
+}  // namespace
+
+std::optional<ParsedScene> parse_scene(const Source& source, Diagnostics& say) {
+  const std::size_t before = say.all().size();
+  std::optional<ParsedScene> scene = read_scene(source, say);
+  say.order_by_place(before);
   return scene;
 }
 

@@ -1,0 +1,143 @@
+#include "compiler/front/scene.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wale {
+namespace {
+
+std::optional<ParsedScene> parse(Sources& sources, const std::string& text, const std::string& name = "some/where/scene.yaml") {
+  Diagnostics say;
+  auto scene = parse_scene(*sources.add(name, text), say);
+  for (const Diagnostic& one : say.all()) ADD_FAILURE() << print(one);
+  return scene;
+}
+
+template <class Spec>
+const Spec* find(const std::vector<EffectSpec>& effects) {
+  for (const EffectSpec& one : effects) {
+    if (const Spec* spec = std::get_if<Spec>(&one)) return spec;
+  }
+  return nullptr;
+}
+
+const std::string whole = R"(scene: 1
+name: jersey pulled along the wales
+fabric: {pattern: ../../patterns/jersey.yaml, wales: 10, courses: 11, yarn: paper-as-printed, stitch_length: 7.5 mm, segments_per_stitch: 16}
+gauge: {thickness: 1.048 mm}
+effects:
+  stretch: {nodes: 2}
+  bend:
+  gravity: {acceleration: 9.8 m/s^2}
+  drag: {coefficient: 0.5 kg/(m s)}
+  contact: {sampling: 5 %, screening: 2, inflate_beads: true}
+  contact_damping: {tangential: 20 N s/m^3, normal: 10 N s/m^3, sampling: 4 %, screening: 1.5}
+stages:
+  - {name: tighten, duration: 1 s, tighten: 90 %, hold: ends, samples: 4, grip_stiffness: 2e4 N/m^2}
+  - {name: relax, duration: 500 ms, effects: {plates: {gap: 3 mm, stiffness: 2e3 N/m^2}, drag: }}
+  - {name: pull, duration: 8 s, pull: {along: course, to: 60 %}, solver: {runge_kutta: {relative: 1e-5, absolute: 10 nm, first_step: 1 us}}}
+solver: {quasi_static: {tolerance: 1e-4, iterations: 50, first_step: 10 %, smallest_step: 1e-6}}
+)";
+
+TEST(Scene, ReadsTheFabric) {
+  Sources sources;
+  const auto scene = parse(sources, whole);
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->name, "jersey pulled along the wales");
+  EXPECT_EQ(scene->pattern_path, "patterns/jersey.yaml");
+  EXPECT_EQ(scene->overrides.wales, 10);
+  EXPECT_EQ(scene->overrides.courses, 11);
+  EXPECT_EQ(scene->overrides.material->name, "paper-as-printed");
+  EXPECT_DOUBLE_EQ(*scene->overrides.stitch_length, 7.5e-3);
+  EXPECT_EQ(scene->segments_per_stitch, 16);
+  EXPECT_DOUBLE_EQ(scene->thickness, 1.048e-3);
+}
+
+TEST(Scene, GivesTheCommonEffectsToEveryStage) {
+  Sources sources;
+  const auto scene = parse(sources, whole);
+  ASSERT_TRUE(scene);
+  ASSERT_EQ(scene->stages.size(), 3u);
+  for (const Stage& stage : scene->stages) {
+    EXPECT_EQ(find<Stretch>(stage.effects)->nodes, 2);
+    EXPECT_EQ(find<Bend>(stage.effects)->nodes, Bend{}.nodes);
+    EXPECT_EQ(find<Gravity>(stage.effects)->acceleration, Vec3(0, -9.8, 0));
+    EXPECT_DOUBLE_EQ(find<Contact>(stage.effects)->sampling, 0.05);
+    EXPECT_DOUBLE_EQ(find<Contact>(stage.effects)->screening, 2);
+    EXPECT_TRUE(find<Contact>(stage.effects)->inflate_beads);
+    EXPECT_DOUBLE_EQ(find<ContactDamping>(stage.effects)->tangential, 20);
+    EXPECT_DOUBLE_EQ(find<ContactDamping>(stage.effects)->normal, 10);
+    EXPECT_DOUBLE_EQ(find<ContactDamping>(stage.effects)->sampling, 0.04);
+    EXPECT_DOUBLE_EQ(find<ContactDamping>(stage.effects)->screening, 1.5);
+  }
+}
+
+TEST(Scene, AStageAddsToTheCommonEffectsOrReplacesThem) {
+  Sources sources;
+  const auto scene = parse(sources, whole);
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(find<Plates>(scene->stages[0].effects), nullptr);
+  EXPECT_DOUBLE_EQ(find<Plates>(scene->stages[1].effects)->gap, 3e-3);
+  EXPECT_DOUBLE_EQ(find<Plates>(scene->stages[1].effects)->stiffness, 2e3);
+  EXPECT_DOUBLE_EQ(find<Drag>(scene->stages[0].effects)->coefficient, 0.5);
+  EXPECT_DOUBLE_EQ(find<Drag>(scene->stages[1].effects)->coefficient, Drag{}.coefficient);
+  EXPECT_EQ(scene->stages[1].effects.size(), scene->stages[0].effects.size() + 1);
+}
+
+TEST(Scene, ReadsStagesAndSolvers) {
+  Sources sources;
+  const auto scene = parse(sources, whole);
+  ASSERT_TRUE(scene);
+  const Stage &tighten = scene->stages[0], &relax = scene->stages[1], &pull = scene->stages[2];
+  EXPECT_EQ(tighten.name, "tighten");
+  EXPECT_DOUBLE_EQ(*tighten.tighten, 0.9);
+  EXPECT_EQ(tighten.hold, Hold::ends);
+  EXPECT_EQ(tighten.samples, 4);
+  EXPECT_DOUBLE_EQ(tighten.grip_stiffness, 2e4);
+  EXPECT_DOUBLE_EQ(relax.duration, 0.5);
+  EXPECT_FALSE(relax.tighten || relax.pull);
+  EXPECT_EQ(pull.pull->along, Along::course);
+  EXPECT_DOUBLE_EQ(pull.pull->strain, 0.6);
+  const auto& equilibria = std::get<QuasiStatic>(relax.solver);
+  EXPECT_DOUBLE_EQ(equilibria.tolerance, 1e-4);
+  EXPECT_EQ(equilibria.iterations, 50);
+  EXPECT_DOUBLE_EQ(equilibria.first_step, 0.1);
+  EXPECT_DOUBLE_EQ(equilibria.smallest_step, 1e-6);
+  const auto& explicit_solver = std::get<RungeKutta>(pull.solver);
+  EXPECT_DOUBLE_EQ(explicit_solver.relative, 1e-5);
+  EXPECT_DOUBLE_EQ(explicit_solver.absolute, 1e-8);
+  EXPECT_DOUBLE_EQ(explicit_solver.first_step, 1e-6);
+}
+
+TEST(Scene, HasDefaultsForWhatItDoesNotSay) {
+  Sources sources;
+  const auto scene = parse(sources, "scene: 1\nfabric: {pattern: a.yaml}\neffects: {stretch: }\nsolver: runge_kutta\n"
+                                    "stages: [{name: relax, duration: 1 s}]\n", "swatch.yaml");
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->name, "swatch");
+  EXPECT_EQ(scene->pattern_path, "a.yaml");
+  EXPECT_FALSE(scene->overrides.wales || scene->overrides.material || scene->overrides.stitch_length);
+  EXPECT_EQ(scene->segments_per_stitch, 12);
+  EXPECT_EQ(scene->thickness, 0);
+  EXPECT_EQ(scene->stages[0].effects.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<RungeKutta>(scene->stages[0].solver));
+}
+
+TEST(Scene, GravityMayBeAVector) {
+  Sources sources;
+  const auto scene = parse(sources, "scene: 1\nfabric: {pattern: a.yaml}\n"
+                                    "effects: {gravity: {acceleration: [1 m/s^2, 0 m/s^2, -2 m/s^2]}}\n"
+                                    "stages: [{name: relax, duration: 1 s}]\n");
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(find<Gravity>(scene->stages[0].effects)->acceleration, Vec3(1, 0, -2));
+}
+
+TEST(Scene, AnAbsolutePathOfAPatternStaysAsItIs) {
+  Sources sources;
+  const auto scene = parse(sources, "scene: 1\nfabric: {pattern: /charts/a.yaml}\neffects: {bend: }\n"
+                                    "stages: [{name: relax, duration: 1 s}]\n");
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->pattern_path, "/charts/a.yaml");
+}
+
+}  // namespace
+}  // namespace wale
