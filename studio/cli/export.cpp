@@ -19,7 +19,8 @@ std::vector<Vec3> sample(const Fabric& fabric, const Yarn& yarn, const Points& q
   std::vector<Vec3> samples;
   for (int segment = 0; segment < yarn.segments; ++segment) {
     for (int k = 0; k < per_segment; ++k) {
-      samples.push_back(combine(q, fabric.first_point(yarn.first_segment + segment), basis(double(k) / per_segment).value));
+      samples.push_back(
+          combine(q, fabric.first_point(yarn.first_segment + segment), basis(double(k) / per_segment).value));
     }
   }
   samples.push_back(combine(q, fabric.first_point(yarn.first_segment + yarn.segments - 1), basis(1).value));
@@ -51,8 +52,12 @@ std::string to_obj(const Fabric& fabric, const Points& q) {
 }
 
 std::string to_bcc(const Fabric& fabric, const Points& q) {
-  const auto count = [](std::uint64_t sum, const Yarn& yarn) { return sum + static_cast<std::uint64_t>(yarn.segments + 1); };
-  std::string bytes = "BCC\x44" "C0\x03\x01";  // 4-byte integers and floats, Catmull-Rom, uniform, 3 dimensions, y up
+  const auto count = [](std::uint64_t sum, const Yarn& yarn) {
+    return sum + static_cast<std::uint64_t>(yarn.segments + 1);
+  };
+  std::string bytes =
+      "BCC\x44"
+      "C0\x03\x01";  // 4-byte integers and floats, Catmull-Rom, uniform, 3 dimensions, y up
   append(bytes, std::uint64_t{fabric.yarns.size()});
   append(bytes, std::accumulate(fabric.yarns.begin(), fabric.yarns.end(), std::uint64_t{0}, count));
   std::string info = "wale, metres";

@@ -23,9 +23,12 @@ FileKind kind_of(const Source& source) {
 
 std::string_view name_of(FileKind kind) {
   switch (kind) {
-    case FileKind::scene: return "scene";
-    case FileKind::knitout: return "knitout";
-    case FileKind::chart: break;
+    case FileKind::scene:
+      return "scene";
+    case FileKind::knitout:
+      return "knitout";
+    case FileKind::chart:
+      break;
   }
   return "chart";
 }
@@ -33,7 +36,8 @@ std::string_view name_of(FileKind kind) {
 const Source* read_or_complain(Sources& sources, const std::string& path) {
   errno = 0;
   const Source* source = sources.read(path);
-  if (!source) complain(path, std::string("cannot be read: ") + (errno ? std::strerror(errno) : "it is not a text file"));
+  if (!source)
+    complain(path, std::string("cannot be read: ") + (errno ? std::strerror(errno) : "it is not a text file"));
   return source;
 }
 

@@ -12,10 +12,14 @@ using Json = nlohmann::ordered_json;
 
 std::string_view name_of(Bed bed) {
   switch (bed) {
-    case Bed::front: return "f";
-    case Bed::back: return "b";
-    case Bed::front_slider: return "fs";
-    case Bed::back_slider: break;
+    case Bed::front:
+      return "f";
+    case Bed::back:
+      return "b";
+    case Bed::front_slider:
+      return "fs";
+    case Bed::back_slider:
+      break;
   }
   return "bs";
 }
@@ -41,7 +45,8 @@ long carriers_in(const Program& program) {
 Json on_needles(const StitchGraph& graph) {
   Json held = {{"f", 0}, {"b", 0}, {"fs", 0}, {"bs", 0}};
   for (const Loop& loop : graph.loops) {
-    if (loop.held) held[std::string(name_of(loop.needle.bed))] = held[std::string(name_of(loop.needle.bed))].get<int>() + 1;
+    if (loop.held)
+      held[std::string(name_of(loop.needle.bed))] = held[std::string(name_of(loop.needle.bed))].get<int>() + 1;
   }
   return held;
 }
@@ -50,9 +55,12 @@ Json on_needles(const StitchGraph& graph) {
 
 std::string_view name_of(Severity severity) {
   switch (severity) {
-    case Severity::note: return "note";
-    case Severity::warning: return "warning";
-    case Severity::error: break;
+    case Severity::note:
+      return "note";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      break;
   }
   return "error";
 }
@@ -107,7 +115,8 @@ Json counts(const Compiled& compiled) {
 Json loops_json(const StitchGraph& graph) {
   std::vector<int> previous(graph.loops.size(), -1);
   for (const YarnPath& yarn : graph.yarns) {
-    for (std::size_t i = 1; i < yarn.loops.size(); ++i) previous[static_cast<std::size_t>(yarn.loops[i])] = yarn.loops[i - 1];
+    for (std::size_t i = 1; i < yarn.loops.size(); ++i)
+      previous[static_cast<std::size_t>(yarn.loops[i])] = yarn.loops[i - 1];
   }
   Json list = Json::array();
   for (std::size_t id = 0; id < graph.loops.size(); ++id) {

@@ -33,8 +33,9 @@ Manifest manifest_of(const Sources& sources) {
 /// Equal but for the last digits, which another machine may round otherwise.
 bool same_fabric(const Fabric& a, const Fabric& b) {
   constexpr double tolerance = 1e-9;  // m
-  if (a.materials != b.materials || a.yarns.size() != b.yarns.size() || a.segments.size() != b.segments.size()) return false;
-  return a.points.cols() == b.points.cols() && (a.points - b.points).cwiseAbs().maxCoeff() < tolerance;
+  if (a.materials != b.materials || a.yarns.size() != b.yarns.size() || a.segments.size() != b.segments.size())
+    return false;
+  return a.points.cols() == b.points.cols() && (a.points - b.points).norm() < tolerance;
 }
 
 }  // namespace
@@ -44,13 +45,19 @@ void use_threads(int count) {
   if (count > 0) openblas_set_num_threads(count);
 }
 
-std::optional<Results> begin_run(const std::string& scene_path) {
+double seconds_of(const std::function<void()>& work) {
   const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::optional<Results> begin_run(const std::string& scene_path) {
   Sources sources;
   const Source* source = read_or_complain(sources, scene_path);
   if (!source || is_knitout(*source)) return {};
   Diagnostics say;
-  std::optional<Scene> scene = compile_scene(*source, sources, say);
+  std::optional<Scene> scene;
+  const double seconds = seconds_of([&] { scene = compile_scene(*source, sources, say); });
   print_all(say);
   if (!scene || say.failed()) return {};
 
@@ -58,7 +65,7 @@ std::optional<Results> begin_run(const std::string& scene_path) {
   results.scene = std::move(*scene);
   results.manifest = manifest_of(sources);
   for (const Diagnostic& diagnostic : say.all()) results.warnings.push_back(diagnostic.message);
-  results.phases.push_back({"compile", std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()});
+  results.phases.push_back({"compile", seconds});
   return results;
 }
 
@@ -77,6 +84,7 @@ std::optional<Results> resume_run(const std::string& results_path) {
   }
   scene->fabric = std::move(results.scene.fabric);
   results.scene = std::move(*scene);
+  results.manifest.threads = omp_get_max_threads();
   return results;
 }
 

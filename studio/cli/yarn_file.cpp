@@ -28,7 +28,8 @@ std::vector<int> lines_of(const StitchGraph& graph) {
 bool can_write_yarns(const std::string& path) {
   constexpr std::array known{".h5", ".vtp", ".obj", ".bcc", ".svg"};
   const std::string suffix = suffix_of(path);
-  if (suffix == ".k") return complain(path, "writing knitout is not there yet", "--show program prints the program"), false;
+  if (suffix == ".k")
+    return complain(path, "writing knitout is not there yet", "--show program prints the program"), false;
   if (std::find(known.begin(), known.end(), suffix) != known.end()) return true;
   return complain(path, "the suffix is none that can be written", "write .h5, .vtp, .obj, .bcc or .svg"), false;
 }
@@ -37,10 +38,11 @@ void write_yarns(const Compiled& compiled, const std::string& chart_name, const 
   const Fabric& fabric = compiled.fabric;
   const std::string suffix = suffix_of(path);
   if (suffix == ".h5") write_fabric_hdf5(fabric, lines_of(compiled.graph), chart_name, path);
-  if (suffix == ".vtp") write_vtp(fabric, fabric.points, path);
+  if (suffix == ".vtp") write_vtp(fabric, fabric.points, path, {});
   if (suffix == ".obj") write_file(path, to_obj(fabric, fabric.points));
   if (suffix == ".bcc") write_file(path, to_bcc(fabric, fabric.points));
-  if (suffix == ".svg") write_file(path, fabric_svg(fabric, fabric.points));
+  if (suffix == ".svg")
+    write_file(path, fabric_svg(fabric, fabric.points, {compiled.chart.name, ColourBy::material, 0, {}, 900}));
 }
 
 }  // namespace wale

@@ -51,7 +51,8 @@ int check(const CheckOptions& options) {
     Diagnostics say;
     const Source* source = read_or_complain(sources, path);
     if (source && is_knitout(*source)) source = nullptr;
-    reports.push_back(source ? check_source(*source, sources, options.loops, say) : Json{{"file", path}, {"readable", false}});
+    reports.push_back(source ? check_source(*source, sources, options.loops, say)
+                             : Json{{"file", path}, {"readable", false}});
     print_all(say);
     const bool good = source && !say.failed();
     if (good && !options.json) print_summary(reports.back());

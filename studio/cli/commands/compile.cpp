@@ -37,7 +37,8 @@ std::string show(const Compiled& compiled, const std::string& noun) {
 }
 
 int compile(const CompileOptions& options) {
-  if (options.out.empty() && options.show.empty()) return complain("wale compile", "nothing to do", "give -o OUT or --show chart");
+  if (options.out.empty() && options.show.empty())
+    return complain("wale compile", "nothing to do", "give -o OUT or --show chart");
   if (!options.out.empty() && !can_write_yarns(options.out)) return bad_input;
   Sources sources;
   const Source* source = read_or_complain(sources, options.file);

@@ -19,10 +19,11 @@ int explain(const std::string& code, bool json) {
     const nlohmann::ordered_json object = {{"code", info->code},
                                            {"severity", name_of(info->severity)},
                                            {"meaning", info->meaning},
-                                           {"fix", info->fix}};
+                                           {"example", info->fix}};
     fmt::print("{}\n", object.dump(2));
   } else {
-    fmt::print("{} ({}): {}\n\n{}\n", info->code, name_of(info->severity), info->meaning, info->fix);
+    fmt::print("{} ({}): {}\n\nWrite, for example:\n\n{}\n", info->code, name_of(info->severity), info->meaning,
+               info->fix);
   }
   return success;
 }

@@ -33,7 +33,8 @@ Json describe(const fs::path& file) {
   const auto chart = source ? passes::parse_chart(*source, {}, say) : std::nullopt;
   print_all(say);
   Json entry = {{"name", file.stem().string()}, {"path", file.string()}};
-  if (chart) entry.update({{"wales", chart->wales()}, {"courses", chart->course_count()}, {"description", chart->name}});
+  if (chart)
+    entry.update({{"wales", chart->wales()}, {"courses", chart->course_count()}, {"description", chart->name}});
   return entry;
 }
 
@@ -65,7 +66,8 @@ int show(const std::string& name) {
 void add_patterns(CLI::App& app, int& exit_code) {
   auto name = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("patterns", "Lists the built-in library (wales x courses), or prints one pattern");
+  CLI::App* command =
+      app.add_subcommand("patterns", "Lists the built-in library (wales x courses), or prints one pattern");
   command->add_option("NAME", *name, "Print this pattern's text");
   command->add_flag("--json", *json, "Print one JSON object");
   command->callback([=, &exit_code] { exit_code = name->empty() ? list(*json) : show(*name); });

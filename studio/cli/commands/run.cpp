@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "sim/results/picture.hpp"
 #include "sim/results/summary.hpp"
+#include "studio/cli/closing.hpp"
 #include "studio/cli/commands.hpp"
 #include "studio/cli/complain.hpp"
 #include "studio/cli/exit_code.hpp"
@@ -22,7 +22,8 @@ struct RunCommand {
   int threads = 0;
 };
 
-Outcome simulate(Results& results, const std::filesystem::path& folder, bool progress, const std::atomic<bool>& interrupt) {
+Outcome simulate(Results& results, const std::filesystem::path& folder, bool progress,
+                 const std::atomic<bool>& interrupt) {
   ProgressBar bar(progress);
   double writing = 0;
   RunOptions options;
@@ -31,23 +32,9 @@ Outcome simulate(Results& results, const std::filesystem::path& folder, bool pro
   options.interrupt = &interrupt;
   const Outcome outcome = run(results, options);
   writing += seconds_of([&] { write_pictures(results, folder); });
-  add_phase(results, "write", writing);
+  results.phases.push_back({"write", writing});
   write_tables(results, folder);
   return outcome;
-}
-
-int report(const Results& results, Outcome outcome, const std::string& folder, bool json) {
-  if (json) fmt::print("{}\n", summary_json(results));
-  else fmt::print("{}", closing_words(results, folder));
-  if (outcome == Outcome::interrupted) {
-    fmt::print(stderr, "Interrupted; go on with: wale run --resume {}\n", folder);
-    return interrupted;
-  }
-  if (outcome == Outcome::failed) {
-    fmt::print(stderr, "The solve failed: {}. What was done is in {}\n", results.effort.failure, folder);
-    return failed_solve;
-  }
-  return success;
 }
 
 int run_command(const RunCommand& command) {
@@ -61,7 +48,11 @@ int run_command(const RunCommand& command) {
   if (!results) return bad_input;
   prepare_folder(folder);
   const Outcome outcome = simulate(*results, folder, command.progress, interrupt);
-  return report(*results, outcome, folder.string(), command.json);
+  if (command.json)
+    fmt::print("{}", summary_json(*results));
+  else
+    fmt::print("{}", closing_words(*results, folder.string()));
+  return tell_outcome(*results, outcome, folder.string());
 }
 
 }  // namespace

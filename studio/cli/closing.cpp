@@ -1,0 +1,65 @@
+#include "studio/cli/closing.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iterator>
+
+#include "sim/results/picture.hpp"
+#include "studio/cli/complain.hpp"
+#include "studio/cli/exit_code.hpp"
+
+namespace wale {
+namespace {
+
+struct Leaving {
+  const char *name, *use;
+};
+constexpr Leaving leavings[] = {{"curve.csv", "the stress-strain table"},
+                                {"curve.svg", "the same as a picture"},
+                                {"fabric_relaxed.svg", "the relaxed fabric, seen from its face"},
+                                {"fabric_pulled.svg", "the pulled fabric, coloured by the stretch of its yarn"},
+                                {"frames.pvd", "every saved state as tubes, for ParaView"},
+                                {"results.h5", "every saved state, exactly; --resume reads it"},
+                                {"summary.json", "sizes, features of the curve, cost, warnings"}};
+
+std::string sizes(const Sizes& relaxed) {
+  constexpr double mm = 1e3;
+  return fmt::format(
+      "Relaxed: {:.1f} mm wide, {:.1f} mm long, {:.2f} mm thick; a wale each {:.2f} mm, a course each {:.2f} mm\n",
+      mm * relaxed.width, mm * relaxed.length, mm * relaxed.thickness, mm * relaxed.wale_spacing,
+      mm * relaxed.course_spacing);
+}
+
+}  // namespace
+
+std::string closing_words(const Results& results, const std::string& folder) {
+  fmt::memory_buffer text;
+  auto out = std::back_inserter(text);
+  const Curve curve = stress_strain(results);
+  if (curve.strain.size() > 1) fmt::format_to(out, "{}\n", terminal_plot(curve));
+  if (results.relaxed.length > 0) fmt::format_to(out, "{}", sizes(results.relaxed));
+  fmt::format_to(out, "Crossings: {} of {} in every saved state{}\n", results.topology.found, results.topology.expected,
+                 results.topology.intact() ? "" : ": YARN PASSED THROUGH YARN");
+  double seconds = 0;
+  for (const Phase& phase : results.phases) seconds += phase.seconds;
+  fmt::format_to(out, "Took {:.1f} s. Results in {}:\n", seconds, folder);
+  for (const Leaving& each : leavings) {
+    if (std::filesystem::exists(std::filesystem::path(folder) / each.name)) {
+      fmt::format_to(out, "  {:<20} {}\n", each.name, each.use);
+    }
+  }
+  return fmt::to_string(text);
+}
+
+int tell_outcome(const Results& results, Outcome outcome, const std::string& folder) {
+  if (outcome == Outcome::finished) return success;
+  if (outcome == Outcome::interrupted) {
+    fmt::print(stderr, "Interrupted; go on with: wale run --resume {}\n", folder);
+    return interrupted;
+  }
+  complain(folder, "the solve failed: " + results.effort.failure, "what was done until then is saved");
+  return failed_solve;
+}
+
+}  // namespace wale

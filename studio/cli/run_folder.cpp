@@ -1,0 +1,81 @@
+#include "studio/cli/run_folder.hpp"
+
+#include <algorithm>
+
+#include "sim/results/csv.hpp"
+#include "sim/results/file.hpp"
+#include "sim/results/hdf5.hpp"
+#include "sim/results/picture.hpp"
+#include "sim/results/summary.hpp"
+#include "sim/results/vtk.hpp"
+
+namespace wale {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the rest lengths are after a stage: see Parts.
+double tightening_after(const Scene& scene, int stage) {
+  double share = 0;
+  for (int i = 0; i <= stage; ++i) share = scene.stages[static_cast<std::size_t>(i)].tighten.value_or(share);
+  return share;
+}
+
+void write_fabric(const Results& results, const Snapshot& snapshot, ColourBy colour, const std::string& title,
+                  const fs::path& path) {
+  const Scene& scene = results.scene;
+  const PictureOptions options{title, colour, tightening_after(scene, snapshot.stage), {}, 900};
+  write_file(path.string(), fabric_svg(scene.fabric, snapshot.state.q, options));
+}
+
+/// The last state before the first pull, and the last state of that; null if there is none.
+struct Shown {
+  const Snapshot *relaxed = nullptr, *pulled = nullptr;
+};
+
+Shown shown(const Results& results) {
+  const std::vector<Stage>& stages = results.scene.stages;
+  const auto pull =
+      std::find_if(stages.begin(), stages.end(), [](const Stage& stage) { return stage.pull.has_value(); });
+  const int first_pull = static_cast<int>(pull - stages.begin());
+  Shown found;
+  for (const Snapshot& snapshot : results.snapshots) {
+    if (snapshot.stage < first_pull) found.relaxed = &snapshot;
+    if (snapshot.stage == first_pull && snapshot.sample != 0) found.pulled = &snapshot;
+  }
+  return found;
+}
+
+}  // namespace
+
+void prepare_folder(const fs::path& folder) {
+  std::error_code ignored;
+  fs::create_directories(folder, ignored);
+  const std::string probe = (folder / results_name).string();
+  open_part(probe);
+  drop_part(probe);
+}
+
+void write_snapshots(const Results& results, const fs::path& folder) {
+  write_hdf5(results, (folder / results_name).string());
+}
+
+void write_tables(const Results& results, const fs::path& folder) {
+  write_csv(results, (folder / "curve.csv").string());
+  write_summary(results, (folder / "summary.json").string());
+  write_snapshots(results, folder);
+}
+
+void write_pictures(const Results& results, const fs::path& folder) {
+  const std::string& name = results.scene.name;
+  const Shown states = shown(results);
+  if (states.relaxed)
+    write_fabric(results, *states.relaxed, ColourBy::material, name + ", relaxed", folder / "fabric_relaxed.svg");
+  if (states.pulled)
+    write_fabric(results, *states.pulled, ColourBy::stretch, name + ", pulled", folder / "fabric_pulled.svg");
+  const Curve curve = stress_strain(results);
+  if (!curve.strain.empty()) write_file((folder / "curve.svg").string(), curve_svg({{"", curve}}, name));
+  write_frames(results, folder.string());
+}
+
+}  // namespace wale
