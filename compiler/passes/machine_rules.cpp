@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 
 #include "compiler/passes/program_codes.hpp"
 
@@ -24,7 +22,7 @@ Answer needle_fault(const Needle& needle) {
   if (on_slider(needle))
     return Fault{codes::slider, fmt::format("\"{}\" is a slider, and sliders cannot be simulated yet", print(needle)),
                  "use the needles of the two beds"};
-  if (std::abs(needle.index) > farthest_needle)
+  if (needle.index < -farthest_needle || needle.index > farthest_needle)
     return Fault{codes::needle_out_of_range, fmt::format("\"{}\" lies beyond the end of any bed", print(needle)),
                  fmt::format("number the needles from -{0} to {0}", farthest_needle)};
   return {};

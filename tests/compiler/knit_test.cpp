@@ -140,7 +140,7 @@ TEST(Knit, RefusesWhatAMachineCannotDoAtItsLine) {
       {"in a\nknit + f0 a\nxfer f0 bs0\n", "xfer f0 bs0", codes::slider},
       {"in a\nknit + fs0 a\n", "knit + fs0 a", codes::slider},
       {"in a\nknit + f2000000000 a\n", "knit + f2000000000 a", codes::needle_out_of_range},
-      {"in a\nknit + f-2000000000 a\nknit + f2000000000 a\n", "knit + f-2000000000 a", codes::needle_out_of_range}};
+      {"in a\nknit + f-2147483648 a\nknit + f2147483647 a\n", "knit + f-2147483648 a", codes::needle_out_of_range}};
   for (const Illegal& one : all) {
     SCOPED_TRACE(one.text);
     Diagnostics say;
