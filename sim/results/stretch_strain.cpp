@@ -15,4 +15,12 @@ std::vector<double> stretch_strains(const Fabric& fabric, const Points& q, doubl
   return strains;
 }
 
+double tightening_at(const Scene& scene, const Snapshot& snapshot) {
+  if (scene.stages.empty()) return 1;
+  double share = 0;
+  for (int i = 0; i < snapshot.stage; ++i) share = scene.stages[static_cast<std::size_t>(i)].tighten.value_or(share);
+  const Stage& stage = scene.stages[static_cast<std::size_t>(snapshot.stage)];
+  return Schedule::ramp(share, stage.tighten.value_or(share), stage.duration)(snapshot.state.t);
+}
+
 }  // namespace wale

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/fabric.hpp"
+#include "sim/results/results.hpp"
 
 namespace wale {
 
@@ -11,5 +11,8 @@ namespace wale {
 /// segment alternate about this one). `tightening` says where rest lengths are between Segment::length (0) and
 /// Segment::knitted (1).
 std::vector<double> stretch_strains(const Fabric&, const Points& q, double tightening);
+
+/// Where rest lengths are in a snapshot, by the stages of its scene; 1 for a scene whose stages are not known.
+double tightening_at(const Scene&, const Snapshot&);
 
 }  // namespace wale
