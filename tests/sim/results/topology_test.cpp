@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <chrono>
 
 #include "tests/sim/results/made_jersey.hpp"
 
@@ -40,15 +39,6 @@ TEST(Topology, OfARunIsThatOfItsWorstState) {
   EXPECT_EQ(worse({16, 16}, {16, 9}).found, 9);
   EXPECT_EQ(worse({16, 9}, {16, 16}).found, 9);
   EXPECT_EQ(worse({}, {16, 16}).expected, 16);
-}
-
-TEST(Topology, TakesMillisecondsForASwatch) {
-  const testing::MadeJersey made = testing::made_jersey(12, 14);
-  const auto begin = std::chrono::steady_clock::now();
-  EXPECT_TRUE(check_crossings(made.fabric, made.crossings, made.fabric.points).intact());
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  RecordProperty("milliseconds", std::to_string(1e3 * took.count()));
-  EXPECT_LT(took.count(), 0.5);
 }
 
 }  // namespace
