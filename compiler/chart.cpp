@@ -44,21 +44,22 @@ std::string print_course(const Chart& chart, int number, const std::vector<std::
   }
   const bool turns = chart.form == Form::flat && number % 2 == 1;
   const bool from_right = (chart.first_course_from == Side::right) != turns;
-  return fmt::format("{:>5} {} {}  {}  {}\n", number + 1, from_right ? "<-" : "->", stitches, yarns, stitch_lengths(course));
+  return fmt::format("{:>5} {} {}  {}  {}\n", number + 1, from_right ? "<-" : "->", stitches, yarns,
+                     stitch_lengths(course));
 }
 
 }  // namespace
 
 std::string print(const Chart& chart) {
   const std::vector<std::string> letters = yarn_letters(chart.yarns);
-  std::string text = fmt::format("{}: {}, {} wales x {} courses, {} to {}\n", chart.name,
-                                 chart.form == Form::flat ? "flat" : "tube, seen from outside", chart.wales(),
-                                 chart.course_count(), chart.start == Edge::cast_on ? "cast on" : "open",
-                                 chart.end == Edge::bind_off ? "bind off" : "open");
+  std::string text =
+      fmt::format("{}: {}, {} wales x {} courses, {} to {}\n", chart.name,
+                  chart.form == Form::flat ? "flat" : "tube, seen from outside", chart.wales(), chart.course_count(),
+                  chart.start == Edge::cast_on ? "cast on" : "open", chart.end == Edge::bind_off ? "bind off" : "open");
   for (std::size_t i = 0; i < chart.yarns.size(); ++i) {
     const ChartYarn& yarn = chart.yarns[i];
-    text += fmt::format("yarn {} = {}: {}, contact diameter {:g} mm, {:g} tex\n", letters[i], yarn.name, yarn.material.name,
-                        yarn.material.diameter * 1e3, yarn.material.linear_density * 1e6);
+    text += fmt::format("yarn {} = {}: {}, contact diameter {:g} mm, {:g} tex\n", letters[i], yarn.name,
+                        yarn.material.name, yarn.material.diameter * 1e3, yarn.material.linear_density * 1e6);
   }
   for (int number = chart.course_count() - 1; number >= 0; --number) text += print_course(chart, number, letters);
   return text;

@@ -11,9 +11,12 @@ constexpr std::size_t widest_excerpt = 110;  // bytes of a source line that are 
 
 std::string_view word(Severity severity) {
   switch (severity) {
-    case Severity::note: return "note";
-    case Severity::warning: return "warning";
-    case Severity::error: return "error";
+    case Severity::note:
+      return "note";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      return "error";
   }
   return {};
 }
@@ -21,7 +24,8 @@ std::string_view word(Severity severity) {
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
 
 std::size_t characters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));
 }
 
 /// The source line with carets under the span; long lines are cut around it.
@@ -58,8 +62,8 @@ void Diagnostics::warning(std::string_view code, Span span, std::string message,
 }
 
 std::size_t Diagnostics::error_count() const {
-  return static_cast<std::size_t>(std::count_if(
-      all_.begin(), all_.end(), [](const Diagnostic& one) { return one.severity == Severity::error; }));
+  return static_cast<std::size_t>(
+      std::count_if(all_.begin(), all_.end(), [](const Diagnostic& one) { return one.severity == Severity::error; }));
 }
 
 void Diagnostics::order_by_place(std::size_t kept) {

@@ -15,8 +15,8 @@ struct Diagnostic {
   Severity severity = Severity::error;
   std::string_view code;  ///< "C012": stable, from compiler/codes.hpp
   Span span;
-  std::string message;    ///< lower case, no full stop, names in quotes
-  std::string hint;       ///< an instruction; may be empty
+  std::string message;  ///< lower case, no full stop, names in quotes
+  std::string hint;     ///< an instruction; may be empty
 };
 
 class Diagnostics {

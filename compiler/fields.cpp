@@ -11,10 +11,14 @@ namespace {
 
 std::string_view name_of(YamlNode::Kind kind) {
   switch (kind) {
-    case YamlNode::Kind::null: return "nothing";
-    case YamlNode::Kind::scalar: return "a single value";
-    case YamlNode::Kind::list: return "a list";
-    case YamlNode::Kind::map: return "a map";
+    case YamlNode::Kind::null:
+      return "nothing";
+    case YamlNode::Kind::scalar:
+      return "a single value";
+    case YamlNode::Kind::list:
+      return "a list";
+    case YamlNode::Kind::map:
+      return "a map";
   }
   return {};
 }
@@ -75,15 +79,15 @@ std::optional<int> read_count(const YamlNode& node, std::string_view what, int l
   return std::nullopt;
 }
 
-std::optional<double> read_quantity(const YamlNode& node, std::string_view what, const Dimension& dimension, Range range,
-                                    Diagnostics& say) {
+std::optional<double> read_quantity(const YamlNode& node, std::string_view what, const Dimension& dimension,
+                                    Range range, Diagnostics& say) {
   if (!is_scalar(node, what, say)) return std::nullopt;
   const std::optional<double> value = parse_quantity(node.text, dimension, node.span, say);
   if (!value || (*value >= range.least && *value <= range.most)) return value;
   const std::string unit = dimension.unit == "1" ? "" : fmt::format(" {}", dimension.unit);
   say.error("U005", node.span, fmt::format("{} cannot be {}", what, node.text),
-            fmt::format("write {} from {:g}{} to {:g}{}, as in `{}`", dimension.noun, range.least, unit, range.most, unit,
-                        dimension.example));
+            fmt::format("write {} from {:g}{} to {:g}{}, as in `{}`", dimension.noun, range.least, unit, range.most,
+                        unit, dimension.example));
   return std::nullopt;
 }
 

@@ -54,7 +54,8 @@ std::string_view trim(std::string_view text) {
 
 /// udunits would take a number inside or behind a unit as a factor, and let a stray bracket pass: slips of the pen.
 bool looks_like_a_unit(std::string_view text) {
-  if (text.empty() || std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '-' || text[0] == '.') return false;
+  if (text.empty() || std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '-' || text[0] == '.')
+    return false;
   for (std::size_t i = 1; i < text.size(); ++i) {
     if (text[i - 1] == ' ' && std::isdigit(static_cast<unsigned char>(text[i]))) return false;
   }
@@ -92,7 +93,8 @@ std::optional<double> parse_quantity(std::string_view text, const Dimension& wan
   const Unit target = units().parse(std::string(wanted.unit));
   const std::unique_ptr<cv_converter, FreeConverter> convert(ut_get_converter(given.get(), target.get()));
   if (!convert) {
-    say.error("U002", span, fmt::format("\"{}\" is not {}: its unit is of another dimension", whole, wanted.noun), hint);
+    say.error("U002", span, fmt::format("\"{}\" is not {}: its unit is of another dimension", whole, wanted.noun),
+              hint);
     return std::nullopt;
   }
   return cv_convert_double(convert.get(), number);

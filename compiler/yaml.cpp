@@ -1,9 +1,12 @@
 #include "compiler/yaml.hpp"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cctype>
+#include <sstream>
 
 namespace wale {
 namespace {
@@ -24,10 +27,18 @@ class TreeBuilder {
     node.span = {&source_, start(from.Mark()), start(from.Mark())};
     switch (from.Type()) {
       case YAML::NodeType::Undefined:
-      case YAML::NodeType::Null: node.span = without_value; break;
-      case YAML::NodeType::Scalar: read_scalar(from, node); break;
-      case YAML::NodeType::Sequence: read_list(from, node); break;
-      case YAML::NodeType::Map: read_map(from, node); break;
+      case YAML::NodeType::Null:
+        node.span = without_value;
+        break;
+      case YAML::NodeType::Scalar:
+        read_scalar(from, node);
+        break;
+      case YAML::NodeType::Sequence:
+        read_list(from, node);
+        break;
+      case YAML::NodeType::Map:
+        read_map(from, node);
+        break;
     }
     return node;
   }
@@ -166,6 +177,31 @@ bool report_tab(const Source& source, Diagnostics& say) {
   return false;
 }
 
+/// Remembers where the latest document began.
+class DocumentStarts final : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override { latest = mark; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+  YAML::Mark latest;
+};
+
+/// YAML::LoadAll would never end on a stray comma, which it takes for one empty document after another.
+std::optional<YAML::Mark> second_document(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  DocumentStarts documents;
+  if (!parser.HandleNextDocument(documents) || !parser.HandleNextDocument(documents)) return std::nullopt;
+  return documents.latest;
+}
+
 std::string plain_words(const std::string& complaint) {
   std::string message = complaint;
   if (!message.empty()) message[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(message[0])));
@@ -185,30 +221,34 @@ const YamlNode* YamlNode::find(std::string_view key) const {
 std::optional<YamlNode> parse_yaml(const Source& source, Diagnostics& say) {
   if (report_tab(source, say)) return std::nullopt;
   const std::size_t byte_order_mark = source.text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
-  const Span whole{&source, 0, 0};
+  const auto place = [&](const YAML::Mark& mark) -> Span {
+    const std::size_t at = mark.is_null() ? 0 : static_cast<std::size_t>(mark.pos) + byte_order_mark;
+    const auto begin = offset(std::min(at, source.text.size()));
+    return {&source, begin, begin};
+  };
+  const Span start{&source, 0, 0};
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(source.text);
-    if (documents.empty() || documents[0].IsNull()) {
-      say.error("Y001", whole, "the file holds nothing", "begin a chart with `knit: 1`, a scene with `scene: 1`");
+    const YAML::Node document = YAML::Load(source.text);
+    if (const auto more = second_document(source.text)) {
+      say.error("Y001", place(*more), "a second document begins here, or something that is not YAML",
+                "keep one chart or scene a file, and remove stray commas and brackets");
+      return std::nullopt;
+    }
+    if (!document || document.IsNull()) {
+      say.error("Y001", start, "the file holds nothing", "begin a chart with `knit: 1`, a scene with `scene: 1`");
       return std::nullopt;
     }
     TreeBuilder builder(source, byte_order_mark, say);
-    YamlNode root = builder.build(documents[0], whole);
-    if (builder.too_big() || documents.size() > 1) {
-      say.error("Y001", whole, builder.too_big() ? "the file holds too many values" : "the file holds several documents",
-                "keep one chart or scene a file");
-      return std::nullopt;
-    }
-    return root;
+    YamlNode root = builder.build(document, start);
+    if (!builder.too_big()) return root;
+    say.error("Y001", start, "the file holds too many values", "write out fewer of its aliases");
   } catch (const YAML::Exception& problem) {
-    const std::size_t at = problem.mark.is_null() ? 0 : static_cast<std::size_t>(problem.mark.pos) + byte_order_mark;
-    const auto begin = offset(std::min(at, source.text.size()));
     const bool open_bracket = problem.msg.find("flow") != std::string::npos;
-    say.error("Y001", {&source, begin, begin}, plain_words(problem.msg),
+    say.error("Y001", place(problem.mark), plain_words(problem.msg),
               open_bracket ? "close the bracket above; a # behind a blank begins a comment, so put colours in quotes"
                            : "check indentation, colons, brackets and quotes here and in the line above");
-    return std::nullopt;
   }
+  return std::nullopt;
 }
 
 }  // namespace wale

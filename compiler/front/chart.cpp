@@ -24,8 +24,8 @@ std::optional<Chart> read_chart(const Source& source, const ChartOverrides& over
   const std::optional<YamlNode> root = parse_yaml(source, say);
   if (!root || !is_chart(*root, say)) return std::nullopt;
   const Fields fields(*root, "a chart",
-                      {"knit", "name", "form", "wales", "yarns", "symbols", "patterns", "bands", "stitch_length", "gauge",
-                       "edges", "first_row", "view", "colorwork"},
+                      {"knit", "name", "form", "wales", "yarns", "symbols", "patterns", "bands", "stitch_length",
+                       "gauge", "edges", "first_row", "view", "colorwork"},
                       say);
   const ChartHead head = read_head(*root, overrides, say);
   const Legend legend = read_legend(*root, say);

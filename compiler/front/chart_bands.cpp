@@ -35,7 +35,8 @@ class BandsReader {
         fail("C011", stitch->span, "a band has a stitch or panels, not both", "move the stitch into a panel");
       }
       read_panels(*panels, yarns, band);
-    } else if (const YamlNode* stitch = fields.require("stitch", "add `stitch: jersey`, or another structure or pattern")) {
+    } else if (const YamlNode* stitch =
+                   fields.require("stitch", "add `stitch: jersey`, or another structure or pattern")) {
       band.panels.push_back({read_stitches(*stitch), yarns, {}, stitch->span});
     } else {
       good_ = false;
@@ -140,7 +141,8 @@ class BandsReader {
       for (const PictureCell& cell : row) {
         const SymbolMeaning meaning = words_.legend.at(cell.symbol);
         if (meaning == SymbolMeaning::unsupported) report_unsupported(cell);
-        tile.rows.back().push_back({static_cast<int>(meaning == SymbolMeaning::purl ? Stitch::purl : Stitch::knit), cell.span});
+        tile.rows.back().push_back(
+            {static_cast<int>(meaning == SymbolMeaning::purl ? Stitch::purl : Stitch::knit), cell.span});
       }
     }
     return tile;
@@ -151,7 +153,8 @@ class BandsReader {
     if (!refused_.insert(cell.symbol).second) return;
     Span whole = cell.span;
     whole.end = whole.begin + static_cast<std::uint32_t>(cell.symbol.size());
-    fail("C005", whole, fmt::format("the stitch of symbol \"{}\" is not supported in charts yet; knit and purl are", cell.symbol),
+    fail("C005", whole,
+         fmt::format("the stitch of symbol \"{}\" is not supported in charts yet; knit and purl are", cell.symbol),
          "draw this cell with k or p");
   }
 
@@ -180,7 +183,8 @@ class BandsReader {
     tile.drawn = tile.in_place = true;
     for (const auto& row : picture->rows) {
       tile.rows.emplace_back();
-      for (const PictureCell& cell : row) tile.rows.back().push_back({words_.yarns.by_symbol.at(cell.symbol), cell.span});
+      for (const PictureCell& cell : row)
+        tile.rows.back().push_back({words_.yarns.by_symbol.at(cell.symbol), cell.span});
     }
     return tile;
   }

@@ -30,7 +30,8 @@ std::optional<GivenLength> read_length(const YamlNode* node, Diagnostics& say) {
 std::optional<GivenLength> read_counts(const YamlNode& gauge, Diagnostics& say) {
   double constants = 1, per_metre = 1;
   int known = 0;
-  for (const auto& [key, constant] : {std::pair{"wales_per_10cm", munden_wales}, {"courses_per_10cm", munden_courses}}) {
+  for (const auto& [key, constant] :
+       {std::pair{"wales_per_10cm", munden_wales}, {"courses_per_10cm", munden_courses}}) {
     const YamlNode* node = gauge.find(key);
     if (!node) continue;
     const auto count = read_quantity(*node, fmt::format("\"{}\"", key), dimensions::ratio, counts_per_10cm, say);

@@ -25,8 +25,14 @@ class Layouter {
     for (const Band& band : bands_) check_fit(band);
     check_size();
     if (!good_) return std::nullopt;
-    Chart chart{head_.name,       head_.form,  yarns_.yarns, {}, head_.first_course_from,
-                head_.start,      head_.end,   start_of(head_.wales_span)};
+    Chart chart{head_.name,
+                head_.form,
+                yarns_.yarns,
+                {},
+                head_.first_course_from,
+                head_.start,
+                head_.end,
+                start_of(head_.wales_span)};
     for (const Band& band : bands_) add(band, chart);
     return chart;
   }
@@ -88,7 +94,8 @@ class Layouter {
   void check_fit(const Band& band) {
     const bool side_by_side = band.panels.front().wales.has_value();
     if (side_by_side && width(band) != wales_) {
-      fail("C006", band.panels.front().span, fmt::format("the panels of this band are {} wales wide, the chart {}", width(band), wales_),
+      fail("C006", band.panels.front().span,
+           fmt::format("the panels of this band are {} wales wide, the chart {}", width(band), wales_),
            "change the panels so that their wales add up to the chart's");
       return;
     }
@@ -103,7 +110,8 @@ class Layouter {
   void check_fit(const Tile& tile, int wales, int courses) {
     if (!tile.in_place || (tile.wales() <= wales && tile.courses() <= courses)) return;
     fail("C007", start_of(tile.span),
-         fmt::format("a picture of {} wales x {} courses does not fit into {} x {}", tile.wales(), tile.courses(), wales, courses),
+         fmt::format("a picture of {} wales x {} courses does not fit into {} x {}", tile.wales(), tile.courses(),
+                     wales, courses),
          "draw it smaller, or make room for it; a smaller picture is repeated");
   }
 
@@ -111,7 +119,8 @@ class Layouter {
     const long courses = std::accumulate(bands_.begin(), bands_.end(), 0L,
                                          [](long sum, const Band& band) { return sum + *band.courses; });
     if (courses <= limits::most_courses && courses * wales_ <= limits::most_cells) return;
-    fail("C012", start_of(head_.wales_span), fmt::format("this chart is too big: {} wales x {} courses", wales_, courses),
+    fail("C012", start_of(head_.wales_span),
+         fmt::format("this chart is too big: {} wales x {} courses", wales_, courses),
          fmt::format("keep to {} courses and {} stitches", limits::most_courses, limits::most_cells));
   }
 
@@ -154,7 +163,8 @@ class Layouter {
     const GivenLength& chosen = band.stitch_length ? *band.stitch_length : of_yarn ? *of_yarn : head_.stitch_length;
     if (!overrides_.stitch_length || &chosen == &head_.stitch_length) return chosen;
     if (replaced_.insert(chosen.span.begin).second) {
-      say_.warning("C022", chosen.span, fmt::format("this stitch length is replaced by {:g} mm", *overrides_.stitch_length * 1e3),
+      say_.warning("C022", chosen.span,
+                   fmt::format("this stitch length is replaced by {:g} mm", *overrides_.stitch_length * 1e3),
                    "leave the stitch length out of the scene to keep those of the chart");
     }
     return head_.stitch_length;
@@ -164,11 +174,14 @@ class Layouter {
     const ChartYarn& of = yarns_.yarns[static_cast<std::size_t>(yarn)];
     const double ratio = length.value / of.material.diameter;
     if (ratio >= limits::jamming_ratio || !jammed_.insert({yarn, length.value}).second) return;
-    const Span place = length.span.begin == length.span.end ? yarns_.spans[static_cast<std::size_t>(yarn)] : length.span;
-    say_.warning("C020", place,
-                 fmt::format("yarn \"{}\" is too thick for its stitches: stitch length / contact diameter = {:.2f}", of.name, ratio),
-                 fmt::format("a jersey of hard tubes jams at l/d = {}; lengthen the stitch to {:.2f} mm, or take a thinner yarn",
-                             limits::jamming_ratio, limits::jamming_ratio * of.material.diameter * 1e3));
+    const Span place =
+        length.span.begin == length.span.end ? yarns_.spans[static_cast<std::size_t>(yarn)] : length.span;
+    say_.warning(
+        "C020", place,
+        fmt::format("yarn \"{}\" is too thick for its stitches: stitch length / contact diameter = {:.2f}", of.name,
+                    ratio),
+        fmt::format("a jersey of hard tubes jams at l/d = {}; lengthen the stitch to {:.2f} mm, or take a thinner yarn",
+                    limits::jamming_ratio, limits::jamming_ratio * of.material.diameter * 1e3));
   }
 
   const ChartHead& head_;

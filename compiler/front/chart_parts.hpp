@@ -66,7 +66,7 @@ struct Panel {
   Tile stitches, yarns;
   std::optional<int> wales;  ///< nothing: as wide as the chart
   Span span;
-  bool own_yarns = false;    ///< false: the yarns are the band's, and run on from panel to panel
+  bool own_yarns = false;  ///< false: the yarns are the band's, and run on from panel to panel
 };
 
 struct Band {
@@ -92,6 +92,7 @@ struct Vocabulary {
 std::vector<Band> read_bands(const YamlNode& root, const Vocabulary&, Diagnostics&);
 
 /// Lays the bands out cell by cell. Nothing if they do not fit each other or `overrides`.
-std::optional<Chart> lay_out(const ChartHead&, const ChartYarns&, std::vector<Band>, const ChartOverrides&, Diagnostics&);
+std::optional<Chart> lay_out(const ChartHead&, const ChartYarns&, std::vector<Band>, const ChartOverrides&,
+                             Diagnostics&);
 
 }  // namespace wale

@@ -69,7 +69,8 @@ Patterns read_patterns(const YamlNode& root, const Legend& legend, Diagnostics& 
   for (const auto& [symbol, meaning] : legend) symbols.push_back(symbol);
   for (const YamlEntry& entry : node->entries) {
     if (built_in_stitch(entry.key)) {
-      say.error("C010", entry.span, fmt::format("\"{}\" is already a structure", entry.key), "give the pattern another name");
+      say.error("C010", entry.span, fmt::format("\"{}\" is already a structure", entry.key),
+                "give the pattern another name");
     }
     patterns[entry.key] = read_picture(entry.value, "stitch", symbols, say);
   }

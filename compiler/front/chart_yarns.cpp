@@ -66,7 +66,8 @@ class YarnsReader {
 
   void read_color(const YamlNode& node, ChartYarn& yarn) {
     if (node.kind == YamlNode::Kind::null) {
-      say_.error("Y004", node.span, "the colour is missing", "put it in quotes, as in `color: \"#c9b79c\"`: a bare # begins a comment");
+      say_.error("Y004", node.span, "the colour is missing",
+                 "put it in quotes, as in `color: \"#c9b79c\"`: a bare # begins a comment");
       return;
     }
     const auto text = read_text(node, "a colour", say_);

@@ -64,8 +64,8 @@ class MaterialReader {
   /// EA and EI, of which each is given at most once: as such, or as a modulus on a circle.
   void read_section() {
     const std::optional<double> radius = read_radius();
-    set_stiffness({"axial_stiffness", "stretch_modulus", "E_stretch"}, dimensions::force, stiffnesses, circle_area, radius,
-                  material_.axial_stiffness);
+    set_stiffness({"axial_stiffness", "stretch_modulus", "E_stretch"}, dimensions::force, stiffnesses, circle_area,
+                  radius, material_.axial_stiffness);
     set_stiffness({"bending_rigidity", "bend_modulus", "E_bend"}, dimensions::bending_rigidity, rigidities,
                   circle_second_moment, radius, material_.bending_rigidity);
   }
@@ -133,8 +133,7 @@ class MaterialReader {
     for (const std::string_view key : {"core_diameter", "exponent"}) {
       const YamlNode* given = contact.find(key);
       if (given && !core_shell) {
-        say_.error("M002", given->span, fmt::format("\"{}\" has no use here", key),
-                   "it belongs to `law: core_shell`");
+        say_.error("M002", given->span, fmt::format("\"{}\" has no use here", key), "it belongs to `law: core_shell`");
       }
     }
     if (core_shell && material_.core_diameter >= material_.diameter) {

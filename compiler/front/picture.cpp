@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cctype>
+#include <charconv>
 
 #include "compiler/front/limits.hpp"
 #include "compiler/spelling.hpp"
@@ -50,7 +50,8 @@ class PictureReader {
     Picture picture;
     picture.span = node.span;
     for (const Span& written : lines_of(node)) add_line(written, picture);
-    if (good_ && picture.rows.empty()) fail("C009", node.span, "this picture holds no rows", "draw one row of symbols a line");
+    if (good_ && picture.rows.empty())
+      fail("C009", node.span, "this picture holds no rows", "draw one row of symbols a line");
     if (!good_) return std::nullopt;
     std::reverse(picture.rows.begin(), picture.rows.end());
     return picture;
@@ -82,15 +83,15 @@ class PictureReader {
   }
 
   void add_line(Span written, Picture& picture) {
-    written.end = written.begin + static_cast<std::uint32_t>(std::min(text_of(written).find('#'), text_of(written).size()));
+    written.end =
+        written.begin + static_cast<std::uint32_t>(std::min(text_of(written).find('#'), text_of(written).size()));
     written = trimmed(written);
     if (written.begin == written.end) return;
     const Line line = split_repeat(written);
     const Row row = split_symbols(line.span);
     if (row.empty()) return;
     if (!picture.rows.empty() && static_cast<int>(row.size()) != picture.wales()) {
-      fail("C004", line.span,
-           fmt::format("this row is {} wales wide, the row above {}", row.size(), picture.wales()),
+      fail("C004", line.span, fmt::format("this row is {} wales wide, the row above {}", row.size(), picture.wales()),
            "make all rows of a picture equally wide");
       return;
     }
@@ -178,8 +179,8 @@ bool is_picture(const YamlNode& node) {
          node.text.find('\n') != std::string::npos;
 }
 
-std::optional<Picture> read_picture(const YamlNode& node, std::string_view kind, const std::vector<std::string>& symbols,
-                                    Diagnostics& say) {
+std::optional<Picture> read_picture(const YamlNode& node, std::string_view kind,
+                                    const std::vector<std::string>& symbols, Diagnostics& say) {
   const bool one_line = node.kind == YamlNode::Kind::scalar && node.style != YamlNode::Style::folded &&
                         node.text.find('\n') == std::string::npos;
   if (!one_line && node.style != YamlNode::Style::literal) {

@@ -35,8 +35,8 @@ std::string beside(const std::string& file, const std::string& path) {
 }
 
 void read_fabric(const YamlNode& node, ParsedScene& scene, Diagnostics& say) {
-  const Fields fields(node, "a fabric",
-                      {"pattern", "wales", "courses", "yarn", "stitch_length", "segments_per_stitch"}, say);
+  const Fields fields(node, "a fabric", {"pattern", "wales", "courses", "yarn", "stitch_length", "segments_per_stitch"},
+                      say);
   if (const YamlNode* pattern = fields.require("pattern", "name a chart, as in `pattern: ../patterns/jersey.yaml`")) {
     scene.pattern_path = beside(node.span.source->name, read_text(*pattern, "a pattern", say).value_or(""));
     scene.pattern_span = pattern->span;

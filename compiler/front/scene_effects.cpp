@@ -17,7 +17,8 @@ class Settings {
   }
 
   void count(std::string_view key, int least, int most, int& value) const {
-    if (const YamlNode* given = node_.find(key)) value = read_count(*given, quoted(key), least, most, say_).value_or(value);
+    if (const YamlNode* given = node_.find(key))
+      value = read_count(*given, quoted(key), least, most, say_).value_or(value);
   }
   void quantity(std::string_view key, const Dimension& dimension, Range range, double& value) const {
     const YamlNode* given = node_.find(key);
@@ -63,7 +64,8 @@ Gravity read_gravity(const YamlNode& node, Diagnostics& say) {
     return spec;
   }
   if (given->items.size() != 3) {
-    say.error("Y004", given->span, fmt::format("an acceleration has 3 components, but this has {}", given->items.size()),
+    say.error("Y004", given->span,
+              fmt::format("an acceleration has 3 components, but this has {}", given->items.size()),
               "write `[0 m/s^2, -9.81 m/s^2, 0 m/s^2]`, or one number for straight down");
     return spec;
   }

@@ -9,7 +9,8 @@ namespace {
 constexpr std::string_view example_stages =
     "add `stages:` with a line for each, as in `- {name: tighten, duration: 1 s, tighten: 100 %, hold: ends}`, "
     "`- {name: relax, duration: 1 s}`, `- {name: pull, duration: 8 s, pull: {along: wale, to: 60 %}}`";
-constexpr std::string_view example_pull = "say along what: `pull: {along: wale, to: 60 %}` or `{along: course, to: 60 %}`";
+constexpr std::string_view example_pull =
+    "say along what: `pull: {along: wale, to: 60 %}` or `{along: course, to: 60 %}`";
 
 constexpr int most_samples = 100'000;
 
@@ -24,7 +25,8 @@ class StageReader {
 
   Stage read() {
     if (!fields_.is_map()) return stage_;
-    if (const YamlNode* name = fields_.find("name")) stage_.name = read_text(*name, "a stage's name", say_).value_or("");
+    if (const YamlNode* name = fields_.find("name"))
+      stage_.name = read_text(*name, "a stage's name", say_).value_or("");
     if (const YamlNode* time = fields_.require("duration", "add how long it takes, as in `duration: 1 s`")) {
       stage_.duration = read_quantity(*time, "the duration", dimensions::time, {1e-9, 1e6}, say_).value_or(1);
     }
@@ -52,7 +54,8 @@ class StageReader {
  private:
   void read_pull(const YamlNode& node) {
     if (node.kind == YamlNode::Kind::scalar) {
-      say_.error("S003", node.span, fmt::format("a strain of \"{}\" has no direction", node.text), std::string(example_pull));
+      say_.error("S003", node.span, fmt::format("a strain of \"{}\" has no direction", node.text),
+                 std::string(example_pull));
       return;
     }
     const Fields pull(node, "a pull", {"along", "to"}, say_);
@@ -72,7 +75,8 @@ class StageReader {
 
   void check_sense() {
     if (stage_.effects.empty() && !fields_.find("effects")) {
-      say_.error("S005", {node_.span.source, node_.span.begin, node_.span.begin}, "nothing acts on the yarns in this stage",
+      say_.error("S005", {node_.span.source, node_.span.begin, node_.span.begin},
+                 "nothing acts on the yarns in this stage",
                  "add `effects: {stretch: , bend: , contact: }` to the scene: what is not named is not simulated");
     }
     if (!stage_.pull) return;

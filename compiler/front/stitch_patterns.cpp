@@ -86,8 +86,9 @@ std::optional<StitchTile> built_in_stitch(std::string_view written) {
 }
 
 const std::vector<std::string_view>& built_in_stitch_names() {
-  static const std::vector<std::string_view> names{"jersey",  "stockinette", "reverse", "purl", "garter",    "garter 2x2",
-                                                   "rib 1x1", "rib 2x2",     "seed",    "moss", "basket 3x3"};
+  static const std::vector<std::string_view> names{"jersey", "stockinette", "reverse",   "purl",
+                                                   "garter", "garter 2x2",  "rib 1x1",   "rib 2x2",
+                                                   "seed",   "moss",        "basket 3x3"};
   return names;
 }
 

@@ -48,7 +48,8 @@ void read(const Source& source, Sources& sources, Diagnostics& say) {
 std::string first_line(const Diagnostic& diagnostic) {
   std::string line = print(diagnostic);
   line.resize(line.find('\n'));
-  for (std::size_t at = line.find(folder); at != std::string::npos; at = line.find(folder)) line.erase(at, folder.size());
+  for (std::size_t at = line.find(folder); at != std::string::npos; at = line.find(folder))
+    line.erase(at, folder.size());
   return line;
 }
 
@@ -82,7 +83,8 @@ TEST_P(BadInput, IsReportedWithAHintAndACodeOfTheTable) {
 
 INSTANTIATE_TEST_SUITE_P(Golden, BadInput, testing::ValuesIn(golden_files()), [](const auto& file) {
   std::string name = file.param.substr(0, file.param.size() - 5);
-  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
   return name;
 });
 

@@ -85,7 +85,8 @@ TEST(Chart, ListsNoStructureThatItDoesNotKnow) {
 }
 
 TEST(Chart, StacksBandsInKnittingOrder) {
-  const auto parsed = parse("knit: 1\nwales: 2\nbands:\n  - {stitch: jersey, courses: 2}\n  - {stitch: purl, courses: 1}\n");
+  const auto parsed =
+      parse("knit: 1\nwales: 2\nbands:\n  - {stitch: jersey, courses: 2}\n  - {stitch: purl, courses: 1}\n");
   EXPECT_EQ(drawn(*parsed.chart), (Rows{"pp", "kk", "kk"}));
 }
 
@@ -127,7 +128,8 @@ TEST(Chart, ReadsSymbolsOfItsLegend) {
 }
 
 TEST(Chart, UsesNamedPatterns) {
-  const auto parsed = parse("knit: 1\nwales: 4\npatterns:\n  ladder: |\n    kp\n    kk x2\nbands:\n  - {stitch: ladder, courses: 4}\n");
+  const auto parsed =
+      parse("knit: 1\nwales: 4\npatterns:\n  ladder: |\n    kp\n    kk x2\nbands:\n  - {stitch: ladder, courses: 4}\n");
   EXPECT_EQ(drawn(*parsed.chart), (Rows{"kkkk", "kpkp", "kkkk", "kkkk"}));
 }
 
@@ -193,7 +195,8 @@ TEST(Chart, FindsTheStitchLengthOfAGauge) {
 
 TEST(Chart, ReadsFormEdgesAndFirstRow) {
   const auto parsed = parse(
-      "knit: 1\nname: sleeve\nform: tube\nwales: 4\nfirst_row: left_to_right\nedges: {start: open, end: open, sides: free}\n"
+      "knit: 1\nname: sleeve\nform: tube\nwales: 4\nfirst_row: left_to_right\nedges: {start: open, end: open, sides: "
+      "free}\n"
       "bands:\n  - {stitch: jersey, courses: 1}\n");
   EXPECT_EQ(parsed.chart->name, "sleeve");
   EXPECT_EQ(parsed.chart->form, Form::tube);
@@ -211,7 +214,8 @@ const std::string worked = R"(bands:
 
 TEST(Chart, WorkedRowsAreTurnedWhereTheKnitterSeesTheBack) {
   EXPECT_EQ(drawn(*parse("knit: 1\nview: worked\n" + worked).chart), (Rows{"kkp", "ppk", "kkp"}));
-  EXPECT_EQ(drawn(*parse("knit: 1\nview: worked\nfirst_row: left_to_right\n" + worked).chart), (Rows{"ppk", "kkp", "ppk"}));
+  EXPECT_EQ(drawn(*parse("knit: 1\nview: worked\nfirst_row: left_to_right\n" + worked).chart),
+            (Rows{"ppk", "kkp", "ppk"}));
   EXPECT_EQ(drawn(*parse("knit: 1\nview: worked\nform: tube\n" + worked).chart), (Rows{"kkp", "kkp", "kkp"}));
   EXPECT_EQ(drawn(*parse("knit: 1\nview: face\n" + worked).chart), (Rows{"kkp", "kkp", "kkp"}));
 }
@@ -235,7 +239,8 @@ bands:
       abab
 )");
   const auto place = [&](int course, int wale) {
-    const LineColumn at = locate(parsed.chart->courses[static_cast<std::size_t>(course)][static_cast<std::size_t>(wale)].span);
+    const LineColumn at =
+        locate(parsed.chart->courses[static_cast<std::size_t>(course)][static_cast<std::size_t>(wale)].span);
     return std::pair{at.line, at.column};
   };
   EXPECT_EQ(place(0, 3), std::pair(5, 14));
@@ -259,14 +264,16 @@ TEST(Chart, IsStretchedByItsScene) {
 }
 
 TEST(Chart, OfSeveralBandsMayBeAskedForItsOwnHeight) {
-  const std::string text = "knit: 1\nwales: 4\nbands:\n  - {stitch: seed, courses: 2}\n  - {stitch: jersey, courses: 3}\n";
+  const std::string text =
+      "knit: 1\nwales: 4\nbands:\n  - {stitch: seed, courses: 2}\n  - {stitch: jersey, courses: 3}\n";
   ChartOverrides overrides;
   overrides.courses = 5;
   EXPECT_EQ(parse(text, overrides).chart->course_count(), 5);
 }
 
 TEST(Chart, WarnsOnceOfAYarnThatIsTooThick) {
-  const std::string text = "knit: 1\nwales: 4\nyarns: {main: paper-as-printed}\nbands:\n  - {stitch: seed, courses: 9}\n";
+  const std::string text =
+      "knit: 1\nwales: 4\nyarns: {main: paper-as-printed}\nbands:\n  - {stitch: seed, courses: 9}\n";
   const auto parsed = parse(text);
   ASSERT_EQ(parsed.say.all().size(), 1u);
   EXPECT_EQ(parsed.say.all()[0].severity, Severity::warning);
@@ -274,7 +281,8 @@ TEST(Chart, WarnsOnceOfAYarnThatIsTooThick) {
 }
 
 TEST(Chart, PrintsWithCourseNumbersAndDirections) {
-  const auto parsed = parse("knit: 1\nname: n\nyarns: {red: , b: }\nbands:\n  - stitch: |\n      kp\n      pk\n    yarn: [red, b]\n");
+  const auto parsed =
+      parse("knit: 1\nname: n\nyarns: {red: , b: }\nbands:\n  - stitch: |\n      kp\n      pk\n    yarn: [red, b]\n");
   EXPECT_EQ(print(*parsed.chart),
             "n: flat, 2 wales x 2 courses, cast on to bind off\n"
             "yarn a = red: acrylic_16_2, contact diameter 0.524 mm, 77 tex\n"
@@ -284,8 +292,9 @@ TEST(Chart, PrintsWithCourseNumbersAndDirections) {
 }
 
 TEST(Chart, NoChangeOfACharacterMakesItThrow) {
-  const std::string good = "knit: 1\nwales: 2\nyarns: {a: , b: {stitch_length: 8 mm}}\nsymbols: {v: purl}\nbands:\n"
-                           "  - {stitch: rib 1x1, courses: 2, yarn: [a]}\n  - stitch: |\n      kv x2\n    yarn: |\n      ab\n";
+  const std::string good =
+      "knit: 1\nwales: 2\nyarns: {a: , b: {stitch_length: 8 mm}}\nsymbols: {v: purl}\nbands:\n"
+      "  - {stitch: rib 1x1, courses: 2, yarn: [a]}\n  - stitch: |\n      kv x2\n    yarn: |\n      ab\n";
   std::mt19937 random(7);
   for (int trial = 0; trial < 4000; ++trial) {
     Sources sources;
@@ -317,7 +326,8 @@ TEST(Chart, ExpandsTheWorkedExamplesAsTheyAreMeant) {
       {"fig10b.yaml", stacked({times(3, k), garter, times(3, k)}), times(12, m)},
       {"fig10c.yaml", stacked({times(6, "kpkpkpkpkpkp"), garter}), times(12, m)},
       {"fig11_tube.yaml", times(24, std::string(20, 'k')), times(24, std::string(20, 's'))},
-      {"rib_intarsia.yaml", times(10, "kkppkkppkkppkkpp"),
+      {"rib_intarsia.yaml",
+       times(10, "kkppkkppkkppkkpp"),
        {"aaaaaaaaaaaaaaaa", "aaaaaaaaaaaaaaaa", "aaaaaaabbaaaaaaa", "aaaaaabbbbaaaaaa", "aaaaabbbbbbaaaaa",
         "aaaaabbbbbbaaaaa", "aaaaaabbbbaaaaaa", "aaaaaaabbaaaaaaa", "aaaaaaaaaaaaaaaa", "aaaaaaaaaaaaaaaa"}},
   };
@@ -342,7 +352,8 @@ TEST(Chart, TheStiffYarnOfTheTubeIsTenTimesAsStiff) {
   const auto chart = passes::parse_chart(*source, {}, say);
   ASSERT_TRUE(chart);
   const std::vector<int> bands{0, 5, 6, 17, 18, 23}, yarns{0, 0, 1, 1, 0, 0};
-  for (std::size_t i = 0; i < bands.size(); ++i) EXPECT_EQ(chart->courses[static_cast<std::size_t>(bands[i])][0].yarn, yarns[i]);
+  for (std::size_t i = 0; i < bands.size(); ++i)
+    EXPECT_EQ(chart->courses[static_cast<std::size_t>(bands[i])][0].yarn, yarns[i]);
   EXPECT_NEAR(chart->yarns[0].material.axial_stiffness / chart->yarns[1].material.axial_stiffness, 10, 0.02);
   EXPECT_NEAR(chart->yarns[0].material.bending_rigidity / chart->yarns[1].material.bending_rigidity, 10, 0.02);
 }

@@ -44,7 +44,8 @@ TEST(Materials, ModuliOnThePrintedRadiusGiveTheMeasuredStiffnesses) {
 }
 
 TEST(Materials, ModuliTakeTheRadiusThatIsGiven) {
-  const Material material = read("{stretch_modulus: 1 GPa, bend_modulus: 2 GPa, radius: 0.1 mm, contact_diameter: 0.3 mm}");
+  const Material material =
+      read("{stretch_modulus: 1 GPa, bend_modulus: 2 GPa, radius: 0.1 mm, contact_diameter: 0.3 mm}");
   EXPECT_NEAR(material.axial_stiffness, std::numbers::pi * 10, 1e-9);
   EXPECT_NEAR(material.bending_rigidity, 2e9 * std::numbers::pi / 4 * 1e-16, 1e-18);
   EXPECT_DOUBLE_EQ(material.diameter, 0.3e-3);
@@ -52,7 +53,8 @@ TEST(Materials, ModuliTakeTheRadiusThatIsGiven) {
 
 TEST(Materials, AMapChangesItsPreset) {
   const Material material = read(
-      "{preset: paper-as-printed, name: soft, linear_density: 30 tex, axial_stiffness: 10 N, bending_rigidity: 2e-9 N m^2,"
+      "{preset: paper-as-printed, name: soft, linear_density: 30 tex, axial_stiffness: 10 N, bending_rigidity: 2e-9 N "
+      "m^2,"
       " contact: {law: core_shell, stiffness: 12 N/m, core_diameter: 0.4 mm, exponent: 3}}");
   EXPECT_EQ(material.name, "soft");
   EXPECT_DOUBLE_EQ(material.linear_density, 30e-6);

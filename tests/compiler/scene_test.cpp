@@ -5,7 +5,8 @@
 namespace wale {
 namespace {
 
-std::optional<ParsedScene> parse(Sources& sources, const std::string& text, const std::string& name = "some/where/scene.yaml") {
+std::optional<ParsedScene> parse(Sources& sources, const std::string& text,
+                                 const std::string& name = "some/where/scene.yaml") {
   Diagnostics say;
   auto scene = parse_scene(*sources.add(name, text), say);
   for (const Diagnostic& one : say.all()) ADD_FAILURE() << print(one);
@@ -22,7 +23,13 @@ const Spec* find(const std::vector<EffectSpec>& effects) {
 
 const std::string whole = R"(scene: 1
 name: jersey pulled along the wales
-fabric: {pattern: ../../patterns/jersey.yaml, wales: 10, courses: 11, yarn: paper-as-printed, stitch_length: 7.5 mm, segments_per_stitch: 16}
+fabric:
+  pattern: ../../patterns/jersey.yaml
+  wales: 10
+  courses: 11
+  yarn: paper-as-printed
+  stitch_length: 7.5 mm
+  segments_per_stitch: 16
 gauge: {thickness: 1.048 mm}
 effects:
   stretch: {nodes: 2}
@@ -34,7 +41,10 @@ effects:
 stages:
   - {name: tighten, duration: 1 s, tighten: 90 %, hold: ends, samples: 4, grip_stiffness: 2e4 N/m^2}
   - {name: relax, duration: 500 ms, effects: {plates: {gap: 3 mm, stiffness: 2e3 N/m^2}, drag: }}
-  - {name: pull, duration: 8 s, pull: {along: course, to: 60 %}, solver: {runge_kutta: {relative: 1e-5, absolute: 10 nm, first_step: 1 us}}}
+  - name: pull
+    duration: 8 s
+    pull: {along: course, to: 60 %}
+    solver: {runge_kutta: {relative: 1e-5, absolute: 10 nm, first_step: 1 us}}
 solver: {quasi_static: {tolerance: 1e-4, iterations: 50, first_step: 10 %, smallest_step: 1e-6}}
 )";
 
@@ -110,8 +120,10 @@ TEST(Scene, ReadsStagesAndSolvers) {
 
 TEST(Scene, HasDefaultsForWhatItDoesNotSay) {
   Sources sources;
-  const auto scene = parse(sources, "scene: 1\nfabric: {pattern: a.yaml}\neffects: {stretch: }\nsolver: runge_kutta\n"
-                                    "stages: [{name: relax, duration: 1 s}]\n", "swatch.yaml");
+  const auto scene = parse(sources,
+                           "scene: 1\nfabric: {pattern: a.yaml}\neffects: {stretch: }\nsolver: runge_kutta\n"
+                           "stages: [{name: relax, duration: 1 s}]\n",
+                           "swatch.yaml");
   ASSERT_TRUE(scene);
   EXPECT_EQ(scene->name, "swatch");
   EXPECT_EQ(scene->pattern_path, "a.yaml");
@@ -124,17 +136,19 @@ TEST(Scene, HasDefaultsForWhatItDoesNotSay) {
 
 TEST(Scene, GravityMayBeAVector) {
   Sources sources;
-  const auto scene = parse(sources, "scene: 1\nfabric: {pattern: a.yaml}\n"
-                                    "effects: {gravity: {acceleration: [1 m/s^2, 0 m/s^2, -2 m/s^2]}}\n"
-                                    "stages: [{name: relax, duration: 1 s}]\n");
+  const auto scene = parse(sources,
+                           "scene: 1\nfabric: {pattern: a.yaml}\n"
+                           "effects: {gravity: {acceleration: [1 m/s^2, 0 m/s^2, -2 m/s^2]}}\n"
+                           "stages: [{name: relax, duration: 1 s}]\n");
   ASSERT_TRUE(scene);
   EXPECT_EQ(find<Gravity>(scene->stages[0].effects)->acceleration, Vec3(1, 0, -2));
 }
 
 TEST(Scene, AnAbsolutePathOfAPatternStaysAsItIs) {
   Sources sources;
-  const auto scene = parse(sources, "scene: 1\nfabric: {pattern: /charts/a.yaml}\neffects: {bend: }\n"
-                                    "stages: [{name: relax, duration: 1 s}]\n");
+  const auto scene = parse(sources,
+                           "scene: 1\nfabric: {pattern: /charts/a.yaml}\neffects: {bend: }\n"
+                           "stages: [{name: relax, duration: 1 s}]\n");
   ASSERT_TRUE(scene);
   EXPECT_EQ(scene->pattern_path, "/charts/a.yaml");
 }

@@ -73,8 +73,10 @@ TEST(Diagnostic, CutsALongLineAroundTheCarets) {
 
 TEST(Diagnostic, OfASpanOverSeveralLinesMarksTheFirst) {
   const Source source{"a.yaml", "ab\ncd\n"};
-  EXPECT_EQ(print(Diagnostic{Severity::error, "C003", {&source, 1, 5}, "m", {}}), "a.yaml:1:2: error: m [C003]\n    ab\n     ^\n");
-  EXPECT_EQ(print(Diagnostic{Severity::error, "C003", {&source, 6, 6}, "m", {}}), "a.yaml:3:1: error: m [C003]\n    \n    ^\n");
+  EXPECT_EQ(print(Diagnostic{Severity::error, "C003", {&source, 1, 5}, "m", {}}),
+            "a.yaml:1:2: error: m [C003]\n    ab\n     ^\n");
+  EXPECT_EQ(print(Diagnostic{Severity::error, "C003", {&source, 6, 6}, "m", {}}),
+            "a.yaml:3:1: error: m [C003]\n    \n    ^\n");
   EXPECT_EQ(print(Diagnostic{Severity::error, "C003", {}, "m", {}}), "error: m [C003]\n");
 }
 

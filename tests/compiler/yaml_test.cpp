@@ -77,7 +77,8 @@ TEST(Yaml, AliasesCannotGrowWithoutEnd) {
 }
 
 TEST(Yaml, NoTextMakesItThrow) {
-  const std::string good = "knit: 1\nyarns: {a: {color: \"#ffffff\"}}\nbands:\n  - stitch: |\n      kp\n    courses: [1, '2']\n";
+  const std::string good =
+      "knit: 1\nyarns: {a: {color: \"#ffffff\"}}\nbands:\n  - stitch: |\n      kp\n    courses: [1, '2']\n";
   for (std::size_t i = 0; i < good.size(); ++i) {
     for (const char c : std::string("{}[]\"'|>&*!%@`:#\t\n\x01\xff")) {
       Source source{"a.yaml", good};
