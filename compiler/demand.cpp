@@ -1,7 +1,10 @@
 #include "compiler/demand.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+
+#include "sim/spline.hpp"
 
 namespace wale {
 namespace {
@@ -65,6 +68,25 @@ Gauge gauge_of(const Layout& layout, const Fabric& fabric) {
     if (before->wale == layout.wales - 1 && after->wale == layout.wales - 1) gauge.course_ends[1].push_back(i);
   }
   return gauge;
+}
+
+Knots secured_ends(const Fabric& fabric) {
+  Knots tied;
+  for (const Yarn& yarn : fabric.yarns)
+    for (const bool at_end : {false, true}) {
+      const int end = yarn.first_segment + (at_end ? yarn.segments - 1 : 0);
+      const double s = at_end ? 1 : 0;
+      const Vec3 tip = combine(fabric.points, fabric.first_point(end), basis(s).value);
+      int nearest = -1;
+      double least = std::numeric_limits<double>::infinity();
+      for (int i = 0; i < fabric.segment_count(); ++i) {
+        if (fabric.segment(i).stitch < 0) continue;
+        const double distance = (combine(fabric.points, fabric.first_point(i), basis(0.5).value) - tip).norm();
+        if (distance < least) least = distance, nearest = i;
+      }
+      if (nearest >= 0) tied.knots.push_back({end, nearest, s, 0.5, fabric.material_of(end).diameter});
+    }
+  return tied;
 }
 
 }  // namespace wale

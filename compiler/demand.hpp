@@ -16,4 +16,7 @@ std::vector<Crossing> demanded_crossings(const Layout&, const Fabric&);
 /// that joins courses there. A tube has no course ends.
 Gauge gauge_of(const Layout&, const Fabric&);
 
+/// Ties both ends of every yarn to the nearest stitch, one contact diameter away.
+Knots secured_ends(const Fabric&);
+
 }  // namespace wale

@@ -38,5 +38,6 @@ std::unique_ptr<Effect> make(const Contact&, Parts&);
 std::unique_ptr<Effect> make(const ContactDamping&, Parts&);
 std::unique_ptr<Effect> make(const Tether&, Parts&);
 std::unique_ptr<Effect> make(const Plates&, Parts&);
+std::unique_ptr<Effect> make(const Knots&, Parts&);
 
 }  // namespace wale

@@ -45,7 +45,7 @@ struct ContactDamping {
 struct Tether {
   std::string label = "tether";
   std::vector<int> segments;
-  double stiffness = 1e4;     ///< k_t, N/m²
+  double stiffness = 1e6;     ///< k_t, N/m²
   Vec3 axes{1, 1, 1};         ///< W: 1 holds along that axis, 0 leaves it free
   Vec3 centre{0, 0, 0};       ///< m
   Vec3 scale{1, 1, 1};        ///< at p = 1
@@ -59,7 +59,20 @@ struct Plates {
   double gap = 2e-3;       ///< m, between the planes that the yarn axes may not pass
 };
 
-using EffectSpec = std::variant<Stretch, Bend, Gravity, Drag, Contact, ContactDamping, Tether, Plates>;
+/// A point of one segment tied to a point of another.
+struct Knot {
+  int segment_a = 0, segment_b = 0;
+  double s_a = 0, s_b = 0;  ///< spline parameter in the segment, [0, 1]
+  double length = 0;        ///< m between the two yarn axes
+};
+/// V = Σ k (|y_a - y_b| - length)²: loose yarn ends tied to the stitch beside them, as a knitter secures them;
+/// without friction they would creep out. `compile` fills in the knots.
+struct Knots {
+  std::vector<Knot> knots;
+  double stiffness = 100;  ///< k, N/m
+};
+
+using EffectSpec = std::variant<Stretch, Bend, Gravity, Drag, Contact, ContactDamping, Tether, Plates, Knots>;
 
 /// Explicit Runge-Kutta 4(3), adaptive (Ding et al. 2023, A.1; Hairer, Nørsett & Wanner I, II.4).
 struct RungeKutta {
@@ -93,7 +106,7 @@ struct Stage {
   std::optional<double> tighten;     ///< rest lengths go to this share of the way from `length` to `knitted`
   Hold hold = Hold::none;            ///< `ends`: cast-on and bind-off are held and shrink with the rest length
   std::optional<Pull> pull;
-  double grip_stiffness = 1e4;       ///< k_t of the tethers of `hold` and `pull`, N/m²
+  double grip_stiffness = 1e6;       ///< k_t of the tethers of `hold` and `pull`, N/m²
   std::vector<EffectSpec> effects;   ///< what is not here is not simulated
   SolverSpec solver;
 };

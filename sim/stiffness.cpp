@@ -11,6 +11,7 @@ void Stiffness::clear() { std::fill(values_.begin(), values_.end(), Mat3(Mat3::Z
 void Stiffness::forget() {
   for (auto& column : columns_) column.clear();
   values_.clear();
+  admitted_.clear();
   ++version_;
 }
 

@@ -1,6 +1,8 @@
 /// The sparse symmetric matrix of second derivatives, in 3 x 3 blocks on a pattern that is kept between uses.
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "sim/fabric.hpp"
@@ -21,6 +23,12 @@ class Stiffness {
   void add(int i, int j, const Mat3& block) { values_[static_cast<std::size_t>(slot(i, j))] += block; }
   /// Makes room for block (i, j), i <= j, that may be filled later, so that the pattern need not grow then.
   void touch(int i, int j) { slot(i, j); }
+
+  /// True once for each `version` that `owner` comes with: then it should touch() its blocks.
+  bool admit(const void* owner, long version) {
+    auto [known, is_new] = admitted_.try_emplace(owner, version);
+    return is_new || std::exchange(known->second, version) != version;
+  }
 
   int points() const { return static_cast<int>(columns_.size()); }
   /// Grows by one whenever the pattern changes: a symbolic factorisation is good for one version.
@@ -44,6 +52,7 @@ class Stiffness {
 
   std::vector<std::vector<Entry>> columns_;  // by row, ascending
   std::vector<Mat3> values_;
+  std::map<const void*, long> admitted_;
   long version_ = 0;
 };
 

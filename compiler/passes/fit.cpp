@@ -20,7 +20,8 @@ std::vector<double> shrinkage(const YarnCurve& yarn, const ArcLength& arc) {
   const double average = drawn > 0 ? wanted / drawn : 1;
   std::vector<double> shares;
   for (std::size_t i = 0; i < yarn.pieces.size(); ++i)
-    shares.push_back(yarn.pieces[i].stitch_length > 0 ? yarn.pieces[i].stitch_length / arc.length_of(i) : average);
+    shares.push_back(yarn.pieces[i].stitch_length > 0 ? yarn.pieces[i].stitch_length / arc.length_of(i)
+                                                        : average * yarn.pieces[i].shrink);
   return shares;
 }
 

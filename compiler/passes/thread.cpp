@@ -13,6 +13,7 @@ using Point = CurvePiece::Point;
 
 constexpr double chain_radius = 1.25;     // of the cast-on and bind-off spirals, in diameters
 constexpr double tightest = 0.98;         // a stitch drawn is at least so much longer than the stitch asked for
+constexpr double selvedge_shrink = 0.7;   // drawn in a wide half circle, knitted it goes straight up to the next course
 constexpr double outside_of_tube = 2.4;   // how far a tube's last join passes in front of the loop beside it, diameters
 
 /// Draws a layout as one yarn in the strip: cast-on spiral, courses in knitting order joined at the sides, bind-off
@@ -65,7 +66,7 @@ class Drawing {
   Point end() const { return pieces_.back().at(1); }
 
   void add(std::function<Point(double)> at, int material, const PlacedLoop* of = nullptr) {
-    CurvePiece piece{std::move(at), -1, material, 0};
+    CurvePiece piece{std::move(at), -1, material, 0, 1};
     if (of) {
       piece.stitch = of->loop;
       piece.stitch_length = of->stitch_length;
@@ -103,6 +104,7 @@ class Drawing {
     const Point to = start_of(course);
     const double reach = 2 * (to.y - end().y).norm();
     bridge(end(), to, reach, reach, at(course, forward(course) ? 0 : layout_.wales - 1).material);
+    pieces_.back().shrink = selvedge_shrink;
   }
 
   /// A spiral in the strip, round the sinkers below `course` or the heads above it, from one x to another.

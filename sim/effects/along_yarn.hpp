@@ -1,6 +1,7 @@
 /// Carries a law at a point of the yarn to the control points: an Effect from its energy density and slopes.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <numeric>
 #include <vector>
@@ -44,10 +45,15 @@ concept Law = requires(const L& law, const Site& at, Slope& slope, Curvature* cu
 template <Law L>
 class AlongYarn final : public Effect {
  public:
-  /// The law at `nodes` Gauss nodes of each of `segments`. `parts` must outlive the effect's last use.
-  AlongYarn(L law, const Parts& parts, int nodes, std::vector<int> segments)
-      : law_(std::move(law)), parts_(parts), nodes_(gauss(nodes)), segments_(std::move(segments)) {
-    for (const GaussNode& node : nodes_) bases_.push_back(basis(node.s));
+  /// The law at `nodes` Gauss nodes of each of `segments`; the first and the last segment of a yarn take `end_nodes`
+  /// if that is more. `parts` must outlive the effect's last use.
+  AlongYarn(L law, const Parts& parts, int nodes, std::vector<int> segments, int end_nodes = 0)
+      : law_(std::move(law)), parts_(parts), inner_(nodes), end_(std::max(nodes, end_nodes)),
+        segments_(std::move(segments)) {
+    for (const int segment : segments_) {
+      first_site_.push_back(sites_);
+      sites_ += static_cast<int>(rule_of(segment).nodes.size());
+    }
   }
 
   std::string_view name() const override { return law_.name(); }
@@ -77,10 +83,23 @@ class AlongYarn final : public Effect {
     }
   };
 
-  Site site(const State& at, int i, std::size_t node) const {
+  struct Rule {
+    std::span<const GaussNode> nodes;
+    std::vector<Basis> bases;
+    explicit Rule(int count) : nodes(gauss(count)) {
+      for (const GaussNode& node : nodes) bases.push_back(basis(node.s));
+    }
+  };
+
+  const Rule& rule_of(int segment) const {
+    const Yarn& yarn = parts_.fabric.yarns[static_cast<std::size_t>(parts_.fabric.segment(segment).yarn)];
+    const int place = segment - yarn.first_segment;
+    return place == 0 || place == yarn.segments - 1 ? end_ : inner_;
+  }
+
+  Site site(const State& at, int i, std::size_t node, const Basis& b) const {
     const int segment = segments_[static_cast<std::size_t>(i)];
     const int first = parts_.fabric.first_point(segment);
-    const Basis& b = bases_[node];
     return {combine(at.q, first, b.value),
             combine(at.q, first, b.first),
             combine(at.q, first, b.second),
@@ -90,16 +109,17 @@ class AlongYarn final : public Effect {
             parts_.fabric.segment(segment).length,
             &parts_.fabric.material_of(segment),
             segment,
-            i * static_cast<int>(nodes_.size()) + static_cast<int>(node)};
+            first_site_[static_cast<std::size_t>(i)] + static_cast<int>(node)};
   }
 
   void integrate(const State& at, int i, bool convex, Local& local, LocalSecond* second) const {
-    for (std::size_t node = 0; node < nodes_.size(); ++node) {
-      const double w = nodes_[node].weight;
-      const Basis& b = bases_[node];
+    const Rule& rule = rule_of(segments_[static_cast<std::size_t>(i)]);
+    for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
+      const double w = rule.nodes[node].weight;
+      const Basis& b = rule.bases[node];
       Slope slope;
       Curvature curvature;
-      law_(site(at, i, node), slope, second ? &curvature : nullptr, convex);
+      law_(site(at, i, node, b), slope, second ? &curvature : nullptr, convex);
       local.energy += w * slope.energy;
       local.dissipation += w * slope.dissipation;
       for (std::size_t k = 0; k < 4; ++k)
@@ -139,9 +159,9 @@ class AlongYarn final : public Effect {
 
   L law_;
   const Parts& parts_;
-  std::span<const GaussNode> nodes_;
-  std::vector<Basis> bases_;
-  std::vector<int> segments_;
+  Rule inner_, end_;
+  std::vector<int> segments_, first_site_;
+  int sites_ = 0;
 };
 
 inline std::vector<int> all_segments(const Fabric& fabric) {

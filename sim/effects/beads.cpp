@@ -99,6 +99,7 @@ void Beads::prepare(const Points& q) {
   if (listed_at_.cols() != now.cols() || (now - listed_at_).colwise().squaredNorm().maxCoeff() > skin_ * skin_ / 4) {
     find_pairs(now);
     listed_at_ = now;
+    ++version_;
   }
   double closest = std::numeric_limits<double>::infinity();
 #pragma omp parallel for schedule(static) reduction(min : closest)

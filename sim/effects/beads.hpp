@@ -30,6 +30,8 @@ class Beads {
 
   /// In ascending (a, b).
   const std::vector<SegmentPair>& pairs() const { return pairs_; }
+  /// Grows by one whenever the list is renewed.
+  long version() const { return version_; }
   /// Smallest bead distance over contact diameter at the last prepare().
   double closest() const { return closest_; }
 
@@ -68,6 +70,7 @@ class Beads {
   std::vector<SegmentPair> pairs_;
   Points listed_at_;                       // beads when the list was made
   double closest_ = 0;
+  long version_ = 0;
 };
 
 }  // namespace wale

@@ -50,13 +50,12 @@ class BetweenYarns final : public Effect {
     const auto& pairs = beads_->pairs();
     const bool second = L::elastic ? out.stiffness : out.damping;
     std::vector<Local> locals(pairs.size());
-    std::vector<Blocks> blocks(second ? pairs.size() : 0);
 #pragma omp parallel for schedule(dynamic, 128)
-    for (std::size_t p = 0; p < pairs.size(); ++p)
-      touch_all(at, pairs[p], out.convex, locals[p], second ? &blocks[p] : nullptr);
+    for (std::size_t p = 0; p < pairs.size(); ++p) touch_all(at, pairs[p], second, out.convex, locals[p]);
+    if (second) make_room(L::elastic ? *out.stiffness : *out.damping);
     for (std::size_t p = 0; p < pairs.size(); ++p) {
-      if (second) scatter(pairs[p], locals[p], blocks[p], L::elastic ? *out.stiffness : *out.damping);
       if (!locals[p].touching) continue;
+      if (second) scatter(pairs[p], *locals[p].second, L::elastic ? *out.stiffness : *out.damping);
       if (out.energy) *out.energy += locals[p].energy;
       if (out.dissipation) *out.dissipation += locals[p].dissipation;
       if (!out.force) continue;
@@ -67,15 +66,16 @@ class BetweenYarns final : public Effect {
 
  private:
   using Quad = Eigen::Matrix<double, 3, 4>;
+  /// Blocks (j, k), j <= k, of the eight control points of a pair, row by row.
+  using Blocks = std::array<Mat3, 36>;
   struct Local {
     bool touching = false;
     double energy = 0, dissipation = 0;
     Quad on_a = Quad::Zero(), on_b = Quad::Zero();
+    std::unique_ptr<Blocks> second;  // only of pairs that touch: most listed ones do not
   };
-  /// Blocks (j, k), j <= k, of the eight control points of a pair, row by row.
-  using Blocks = std::array<Mat3, 36>;
 
-  void touch_all(const State& at, const SegmentPair& pair, bool convex, Local& local, Blocks* blocks) const {
+  void touch_all(const State& at, const SegmentPair& pair, bool second, bool convex, Local& local) const {
     const Fabric& fabric = parts_.fabric;
     const int na = beads_->count(pair.a), nb = beads_->count(pair.b);
     const double la = parts_.rest_length(pair.a, at.t) / na, lb = parts_.rest_length(pair.b, at.t) / nb;
@@ -91,17 +91,19 @@ class BetweenYarns final : public Effect {
         if (touch.apart.squaredNorm() >= touch.diameter * touch.diameter) continue;
         if (beads_->screened(pair.a, i, pair.b, j)) continue;
         touch.velocity = combine(at.v, first_a, ba.value) - combine(at.v, first_b, bb.value);
-        if (!local.touching && blocks) blocks->fill(Mat3::Zero());
         local.touching = true;
-        add_touch(touch, ba, bb, convex, local, blocks);
+        if (second && !local.second) {
+          local.second = std::make_unique<Blocks>();
+          local.second->fill(Mat3::Zero());
+        }
+        add_touch(touch, ba, bb, convex, local);
       }
     }
   }
 
-  void add_touch(const Touch& touch, const Basis& ba, const Basis& bb, bool convex, Local& local,
-                 Blocks* blocks) const {
+  void add_touch(const Touch& touch, const Basis& ba, const Basis& bb, bool convex, Local& local) const {
     Push push;
-    law_(touch, push, blocks != nullptr, convex);
+    law_(touch, push, local.second != nullptr, convex);
     local.energy += push.energy;
     local.dissipation += push.dissipation;
     std::array<double, 8> weight;
@@ -111,22 +113,33 @@ class BetweenYarns final : public Effect {
       local.on_a.col(static_cast<Eigen::Index>(k)) += ba.value[k] * push.on_a;
       local.on_b.col(static_cast<Eigen::Index>(k)) -= bb.value[k] * push.on_a;
     }
-    if (!blocks) return;
+    if (!local.second) return;
     std::size_t block = 0;
     for (std::size_t j = 0; j < 8; ++j)
-      for (std::size_t k = j; k < 8; ++k, ++block) (*blocks)[block] += weight[j] * weight[k] * push.stiffness;
+      for (std::size_t k = j; k < 8; ++k, ++block) (*local.second)[block] += weight[j] * weight[k] * push.stiffness;
   }
 
-  /// Every listed pair keeps its room in the pattern, touching or not, so that the pattern changes only with the list.
-  void scatter(const SegmentPair& pair, const Local& local, const Blocks& blocks, Stiffness& out) const {
-    const int first[2] = {parts_.fabric.first_point(pair.a), parts_.fabric.first_point(pair.b)};
+  int point(const SegmentPair& pair, int k) const {
+    return parts_.fabric.first_point(k < 4 ? pair.a : pair.b) + k % 4;
+  }
+
+  /// Every listed pair gets its room in the pattern, touching or not, so that the pattern changes only with the list.
+  void make_room(Stiffness& out) const {
+    if (!out.admit(this, beads_->version())) return;
+    for (const SegmentPair& pair : beads_->pairs())
+      for (int j = 0; j < 4; ++j)
+        for (int k = 4; k < 8; ++k) {
+          const int p = point(pair, j), q = point(pair, k);
+          out.touch(std::min(p, q), std::max(p, q));
+        }
+  }
+
+  void scatter(const SegmentPair& pair, const Blocks& blocks, Stiffness& out) const {
     std::size_t block = 0;
     for (int j = 0; j < 8; ++j)
       for (int k = j; k < 8; ++k, ++block) {
-        const int p = first[j / 4] + j % 4, q = first[k / 4] + k % 4;
-        if (!local.touching)
-          out.touch(std::min(p, q), std::max(p, q));
-        else if (p == q && j != k)
+        const int p = point(pair, j), q = point(pair, k);
+        if (p == q && j != k)
           out.add(p, p, 2 * blocks[block]);  // the two segments share this control point
         else
           out.add(std::min(p, q), std::max(p, q), blocks[block]);

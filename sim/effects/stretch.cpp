@@ -27,7 +27,10 @@ struct StretchLaw {
 }  // namespace
 
 std::unique_ptr<Effect> make(const Stretch& spec, Parts& parts) {
-  return std::make_unique<AlongYarn<StretchLaw>>(StretchLaw{}, parts, spec.nodes, all_segments(parts.fabric));
+  // One node a segment leaves y' free to vanish at a yarn's end, where only one segment holds the last control point.
+  constexpr int end_nodes = 3;
+  return std::make_unique<AlongYarn<StretchLaw>>(StretchLaw{}, parts, spec.nodes, all_segments(parts.fabric),
+                                                 end_nodes);
 }
 
 }  // namespace wale

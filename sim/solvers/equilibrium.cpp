@@ -4,21 +4,28 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 namespace wale {
 namespace {
 
-constexpr double first_shift = 1e-2;      // N/m, soft against a yarn's bending over a loop
-constexpr double smallest_shift = 1e-9;   // N/m
-constexpr double largest_shift = 1e9;     // N/m
-constexpr double furthest_move = 0.3;     // of the diameter, in one iteration
-constexpr double share_of_gap = 0.45;     // two yarns that each move this share of their gap still do not meet
+constexpr double furthest_move = 0.3;   // of the diameter, in one iteration
+constexpr double share_of_gap = 0.45;   // two yarns that each move this share of their gap still do not meet
+constexpr double first_shift = 10;      // N/m: about as stiff as a loop bends
+constexpr double smallest_shift = 1e-6; // N/m: softer than any swatch
+constexpr double largest_shift = 1e8;   // N/m
+constexpr int most_inner = 60;          // conjugate-gradient steps
 
-double largest_column(const Points& p) { return std::sqrt(p.colwise().squaredNorm().maxCoeff()); }
+double furthest(const Eigen::VectorXd& x) {
+  return std::sqrt(x.reshaped(3, x.size() / 3).colwise().squaredNorm().maxCoeff());
+}
 
 }  // namespace
 
-Equilibrium::Equilibrium(World& world) : world_(world), stiffness_(static_cast<int>(world.fabric().points.cols())) {
+Equilibrium::Equilibrium(World& world)
+    : world_(world),
+      exact_(static_cast<int>(world.fabric().points.cols())),
+      convex_(static_cast<int>(world.fabric().points.cols())) {
   thickness_ = world.fabric().materials.front().diameter;
   for (const Material& material : world.fabric().materials) thickness_ = std::min(thickness_, material.diameter);
 }
@@ -37,70 +44,96 @@ double Equilibrium::evaluate(const State& at, Points* force, Effort& effort) {
 }
 
 bool Equilibrium::factor(const State& at, Effort& effort) {
-  static const int mode = std::getenv("WALE_EXACT") ? std::atoi(std::getenv("WALE_EXACT")) : 0;
-  if (mode) {
-    Load load{.stiffness = &stiffness_, .convex = false};
-    world_.evaluate(at, load);
-    ++effort.factorizations;
-    if (cholesky_.factor(stiffness_, shift_)) return true;
-  }
-  Load load{.stiffness = &stiffness_, .convex = true};
-  world_.evaluate(at, load);
-  while (shift_ < largest_shift) {
-    ++effort.factorizations;
-    if (cholesky_.factor(stiffness_, shift_)) return true;
-    shift_ *= 10;
-  }
-  return false;
+  Load exact{.stiffness = &exact_, .convex = false};
+  world_.evaluate(at, exact);
+  Load convex{.stiffness = &convex_, .convex = true};
+  world_.evaluate(at, convex);
+  ++effort.factorizations;
+  return cholesky_.factor(convex_, shift_);
 }
 
-Eigen::VectorXd Equilibrium::direction(const Points& force) const {
-  Eigen::VectorXd x = force.reshaped();
+void Equilibrium::precondition(Eigen::VectorXd& x) const {
   const auto solve = [this](Eigen::VectorXd& v) { cholesky_.solve(v); };
   solve(x);
   if (!world_.constraints().empty()) world_.constraints().project(x, solve);
-  return x;
+}
+
+Equilibrium::Step Equilibrium::downhill(const Points& force) const {
+  Eigen::VectorXd residual = force.reshaped();  // of the model's gradient, with the sign of a force
+  Eigen::VectorXd move = Eigen::VectorXd::Zero(residual.size()), bent = move;  // bent = K move
+  Eigen::VectorXd z = residual, along, stiff;
+  precondition(z);
+  along = z;
+  double rz = residual.dot(z);
+  const double goal = 1e-4 * rz;
+  Step step;
+  int n = 0;
+  for (; n < most_inner && rz > goal && rz > 0; ++n) {
+    exact_.multiply(along, stiff);
+    stiff += shift_ * along;
+    const double curvature = along.dot(stiff);
+    double alpha = curvature > 0 ? rz / curvature : std::numeric_limits<double>::infinity();
+    if (curvature <= 0 || furthest(move + alpha * along) > reach_) {
+      // To the edge of the trust region along this direction, downhill all the way.
+      double low = 0, high = 1;
+      const double unit = reach_ / std::max(furthest(along), 1e-300);
+      while (furthest(move + high * unit * along) < reach_) high *= 2;
+      for (int i = 0; i < 40; ++i) (furthest(move + (low + high) / 2 * unit * along) < reach_ ? low : high) = (low + high) / 2;
+      alpha = low * unit;
+      step.limited = true;
+    }
+    move += alpha * along;
+    bent += alpha * stiff;
+    if (step.limited) break;
+    residual -= alpha * stiff;
+    z = residual;
+    precondition(z);
+    const double next = residual.dot(z);
+    along = z + next / rz * along;
+    rz = next;
+  }
+  if (std::getenv("WALE_TALK")) std::fprintf(stderr, "[%d]", n);
+  step.promised = move.dot(force.reshaped()) - move.dot(bent) / 2;
+  step.move = std::move(move);
+  return step;
 }
 
 Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int iterations, Effort& effort) {
   const bool talk = std::getenv("WALE_TALK");
-  shift_ = first_shift;
-  growth_ = 2;
   Points force;
   double energy = evaluate(state, &force, effort);
   if (!std::isfinite(energy)) return Answer::gave_up;
+  shift_ = first_shift;
   for (int i = 0; i < iterations; ++i) {
-    residual_ = largest_column(force);
+    residual_ = furthest(force.reshaped());
     if (residual_ < tolerance) return Answer::found;
+    reach_ = safe_move();
     if (!factor(state, effort)) return Answer::gave_up;
-    Eigen::VectorXd step = direction(force);
-    const double longest = largest_column(step.reshaped(3, step.size() / 3));
-    const double scale = std::min(1.0, safe_move() / longest);
-    step *= scale;
-
+    const Step step = downhill(force);
     State trial = state;
-    trial.q += step.reshaped(3, step.size() / 3);
+    trial.q += step.move.reshaped(3, step.move.size() / 3);
     Points trial_force;
+    const double before = world_.closest();
     const double trial_energy = evaluate(trial, &trial_force, effort);
-    Eigen::VectorXd curved;
-    stiffness_.multiply(step, curved);
-    const double promised = step.dot(force.reshaped()) - step.dot(curved) / 2;
-    const double gain = (energy - trial_energy) / promised;
+    const double gain = (energy - trial_energy) / step.promised;
     if (talk)
-      std::fprintf(stderr, "  %3d E %.9e res %.3e step %.2e scale %.2e shift %.1e gain %.3f gap %.3f\n", i, energy, residual_,
-                   longest, scale, shift_, gain, world_.closest());
-    if (std::isfinite(trial_energy) && gain > 1e-3) {
+      std::fprintf(stderr, "  %3d E %.9e res %.3e rms %.1e move %.2e shift %.2e lim %d gain %.3f gap %.3f\n", i, energy, residual_,
+                   force.norm()/std::sqrt(force.cols()), furthest(step.move), shift_, step.limited, gain, before);
+    if (talk) { Eigen::Index a, b; step.move.reshaped(3, step.move.size() / 3).colwise().squaredNorm().maxCoeff(&a); force.colwise().squaredNorm().maxCoeff(&b); const Eigen::VectorXd m = step.move.reshaped(3, step.move.size() / 3).colwise().norm(); std::fprintf(stderr, "      mover %ld (%.1f %.1f %.1f mm) res at %ld  mean move %.1e  ", (long)a, 1e3*state.q(0,a), 1e3*state.q(1,a),1e3*state.q(2,a), (long)b, m.mean()); 
+      for (const auto& e : world_.effects()) { double en = 0; Load l{.energy = &en}; e->add(state, l); std::fprintf(stderr, "%s %.3e ", std::string(e->name()).c_str(), en);} std::fprintf(stderr, "\n"); }
+    const bool good = std::isfinite(trial_energy) && gain > 1e-3;
+    if (good) {
       state = std::move(trial);
       force = std::move(trial_force);
       energy = trial_energy;
-      shift_ = std::max(smallest_shift, shift_ * std::max(1.0 / 3, 1 - std::pow(2 * std::min(gain, 1.0) - 1, 3)));
-      growth_ = 2;
     } else {
-      shift_ *= growth_;
-      growth_ *= 2;
       world_.prepare(state);
-      if (shift_ > largest_shift) return Answer::gave_up;
     }
+    if (!good) shift_ *= 6;
+    else if (step.limited || gain < 0.25) shift_ *= 2;
+    else if (gain > 0.5) shift_ /= 3;
+    shift_ = std::max(shift_, smallest_shift);
+    if (shift_ > largest_shift) return Answer::gave_up;
   }
   return Answer::gave_up;
 }

@@ -7,8 +7,10 @@
 
 namespace wale {
 
-/// Levenberg-Marquardt on the energy. No control point moves further in one iteration than leaves every pair of
-/// yarns apart, so no yarn can pass through another.
+/// Trust-region Newton on the energy (Steihaug 1983): conjugate gradients on the exact second derivative, which may be
+/// indefinite where yarns are about to slip, preconditioned by the Cholesky factor of its Gauss-Newton part.
+/// No control point moves further in one iteration than leaves every pair of yarns apart, so no yarn can pass
+/// through another.
 class Equilibrium {
  public:
   explicit Equilibrium(World& world);
@@ -23,20 +25,22 @@ class Equilibrium {
   double residual() const { return residual_; }
 
  private:
-  struct Trial {
-    State state;
-    double energy = 0;
+  struct Step {
+    Eigen::VectorXd move;
+    double promised = 0;  // decrease of energy by the quadratic model, J
+    bool limited = false;
   };
   bool factor(const State& at, Effort& effort);
-  Eigen::VectorXd direction(const Points& force) const;
+  Step downhill(const Points& force) const;
   double evaluate(const State& at, Points* force, Effort& effort);
+  void precondition(Eigen::VectorXd& x) const;
 
   World& world_;
-  Stiffness stiffness_;
+  Stiffness exact_, convex_;
   Cholesky cholesky_;
   double thickness_ = 0;  // of the thinnest yarn, m
-  double shift_ = 0;      // Levenberg's, N/m
-  double growth_ = 2;
+  double reach_ = 0;      // how far a control point may move in one iteration, m
+  double shift_ = 0;      // Levenberg's, N/m: keeps soft modes within reach while stiff ones take their whole step
   double residual_ = 0;
 };
 
