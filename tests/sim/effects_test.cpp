@@ -290,6 +290,63 @@ TEST_P(EveryEffect, HasAConvexStiffnessThatIsPositiveSemidefinite) {
 INSTANTIATE_TEST_SUITE_P(Effects, EveryEffect, testing::ValuesIn(cases()),
                          [](const auto& of) { return of.param.name; });
 
+/// The true force on a straight yarn of ten millimetres, which is moved by `by` from where the stage began.
+Vec3 total_force(const EffectSpec& spec, const Vec3& by, double t) {
+  const Fabric fabric = straight_rod(10e-3, 8);
+  const Schedule laid = 0.0;
+  const State start = shaken_state(fabric, 0, 1);
+  Parts parts{fabric, laid, start};
+  const auto effect = std::visit([&](const auto& of) { return make(of, parts); }, spec);
+  State at = start;
+  at.t = t;
+  at.q.colwise() += by;
+  Points force = Points::Zero(3, at.q.cols());
+  Load load{.force = &force};
+  effect->add(at, load);
+  return force.rowwise().sum();
+}
+
+TEST(Gravity, PullsByMassTimesItsAcceleration) {
+  const Vec3 g(1, -9, 3);
+  EXPECT_LT((total_force(Gravity{g}, Vec3::Zero(), 0) - 77e-6 * 10e-3 * g).norm(), 1e-18);
+}
+
+TEST(Tether, HoldsWhatItHasMovedAndScaledToItsTarget) {
+  // About its middle, so that scaling moves no mean: the mean lies at p move.
+  const Tether tether{.segments = {0, 1, 2, 3, 4, 5, 6, 7},
+                      .stiffness = 50,
+                      .axes = {1, 0.5, 0},
+                      .centre = {5e-3, 0, 0},
+                      .scale = {3, 1, 1},
+                      .move = {2e-3, 4e-3, 1e-3},
+                      .progress = Schedule::ramp(0, 1, 10)};
+  EXPECT_LT(total_force(tether, {0.6e-3, 1.2e-3, 0}, 3).norm(), 1e-15);
+  const Vec3 off(1e-4, -2e-4, 5e-4), expected = -2 * 50 * 10e-3 * Vec3(1, 0.25, 0).cwiseProduct(off);
+  EXPECT_LT((total_force(tether, Vec3(0.6e-3, 1.2e-3, 0) + off, 3) - expected).norm(), 1e-14);
+}
+
+TEST(Tether, LeavesAnEvenlyStretchedYarnAloneWhenItsTargetIsThatStretch) {
+  const Fabric fabric = straight_rod(10e-3, 8);
+  const Schedule laid = 0.0;
+  State at = shaken_state(fabric, 0, 1);
+  const State start = at;
+  Parts parts{fabric, laid, start};
+  const auto effect = make(Tether{.segments = {1, 2, 5}, .centre = {2e-3, 0, 0}, .scale = {1.5, 1, 1}, .progress = 1.0},
+                           parts);
+  at.q.row(0) = (2e-3 + 1.5 * (start.q.row(0).array() - 2e-3)).matrix();
+  double energy = 0;
+  Load load{.energy = &energy};
+  effect->add(at, load);
+  EXPECT_LT(energy, 1e-30);
+}
+
+TEST(Plates, PushBackByTheDepthBeyondThem) {
+  const Plates plates{.stiffness = 200, .gap = 1e-3};
+  EXPECT_EQ(total_force(plates, {0, 0, 0.49e-3}, 0), Vec3::Zero());
+  EXPECT_LT((total_force(plates, {0, 0, 0.7e-3}, 0) - Vec3(0, 0, -2 * 200 * 10e-3 * 0.2e-3)).norm(), 1e-15);
+  EXPECT_LT((total_force(plates, {0, 0, -0.6e-3}, 0) - Vec3(0, 0, 2 * 200 * 10e-3 * 0.1e-3)).norm(), 1e-15);
+}
+
 /// A yarn under tension everywhere: nothing of the stretch stiffness is negative, so nothing is left out.
 TEST(Stretch, HasTheSameStiffnessConvexOrNotWhereTheYarnIsTaut) {
   Fabric fabric = straight_rod(5e-3, 6);
