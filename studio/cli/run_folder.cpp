@@ -6,6 +6,7 @@
 #include "sim/results/file.hpp"
 #include "sim/results/hdf5.hpp"
 #include "sim/results/picture.hpp"
+#include "sim/results/stretch_strain.hpp"
 #include "sim/results/summary.hpp"
 #include "sim/results/vtk.hpp"
 
@@ -14,17 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the rest lengths are after a stage: see Parts.
-double tightening_after(const Scene& scene, int stage) {
-  double share = 0;
-  for (int i = 0; i <= stage; ++i) share = scene.stages[static_cast<std::size_t>(i)].tighten.value_or(share);
-  return share;
-}
-
 void write_fabric(const Results& results, const Snapshot& snapshot, ColourBy colour, const std::string& title,
                   const fs::path& path) {
   const Scene& scene = results.scene;
-  const PictureOptions options{title, colour, tightening_after(scene, snapshot.stage), {}, 900};
+  const PictureOptions options{title, colour, tightening_at(scene, snapshot), {}, 900};
   write_file(path.string(), fabric_svg(scene.fabric, snapshot.state.q, options));
 }
 
