@@ -12,4 +12,8 @@ int complain(std::string_view about, std::string_view message, std::string_view 
   return bad_input;
 }
 
+int complain_unwritable(std::string_view path, const std::system_error& error) {
+  return complain(path, "cannot be written: " + error.code().message(), "give a place that you may write to with -o");
+}
+
 }  // namespace wale

@@ -1,9 +1,21 @@
-#include <CLI/CLI.hpp>
-#include <stdexcept>
+#include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "compiler/spelling.hpp"
 #include "studio/cli/commands.hpp"
 #include "studio/cli/complain.hpp"
 #include "studio/cli/exit_code.hpp"
+
+namespace {
+
+int unknown_command(const char* name) {
+  const std::string hint = wale::suggest(name, {"check", "compile", "run", "curve", "patterns", "explain"});
+  return wale::complain("wale", fmt::format("there is no command \"{}\"", name), hint);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"From a knitting chart to a stress-strain curve, yarn by yarn.", "wale"};
@@ -19,8 +31,9 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    if (argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty()) return unknown_command(argv[1]);
     return app.exit(error) == 0 ? wale::success : wale::bad_input;
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     return wale::complain("wale", error.what());
   }
   return exit_code;

@@ -12,6 +12,9 @@ void print_all(const Diagnostics&);
 
 std::string_view name_of(Severity);
 
+/// Indented, with a new line at the end; bytes that are not UTF-8, which a user's text may have, are replaced.
+std::string dump(const nlohmann::ordered_json&);
+
 /// `[{severity, code, file, line, column, message, hint}]`
 nlohmann::ordered_json to_json(const Diagnostics&);
 

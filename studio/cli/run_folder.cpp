@@ -43,8 +43,7 @@ Shown shown(const Results& results) {
 }  // namespace
 
 void prepare_folder(const fs::path& folder) {
-  std::error_code ignored;
-  fs::create_directories(folder, ignored);
+  fs::create_directories(folder);
   const std::string probe = (folder / results_name).string();
   open_part(probe);
   drop_part(probe);

@@ -58,7 +58,7 @@ int check(const CheckOptions& options) {
     if (good && !options.json) print_summary(reports.back());
     worst = std::max(worst, good ? success : bad_input);
   }
-  if (options.json) fmt::print("{}\n", (reports.size() == 1 ? reports[0] : Json{{"files", reports}}).dump(2));
+  if (options.json) fmt::print("{}", dump((reports.size() == 1 ? reports[0] : Json{{"files", reports}})));
   return worst;
 }
 

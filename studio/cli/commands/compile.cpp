@@ -50,7 +50,11 @@ int compile(const CompileOptions& options) {
   print_all(say);
   if (!compiled) return bad_input;
   if (!options.show.empty()) fmt::print("{}", show(*compiled, options.show));
-  if (!options.out.empty()) write_yarns(*compiled, source->name, options.out);
+  try {
+    if (!options.out.empty()) write_yarns(*compiled, source->name, options.out);
+  } catch (const std::system_error& error) {
+    return complain_unwritable(options.out, error);
+  }
   return success;
 }
 

@@ -20,7 +20,7 @@ int explain(const std::string& code, bool json) {
                                            {"severity", name_of(info->severity)},
                                            {"meaning", info->meaning},
                                            {"example", info->fix}};
-    fmt::print("{}\n", object.dump(2));
+    fmt::print("{}", dump(object));
   } else {
     fmt::print("{} ({}): {}\n\nWrite, for example:\n\n{}\n", info->code, name_of(info->severity), info->meaning,
                info->fix);
@@ -34,7 +34,7 @@ int list(bool json) {
     if (!json) fmt::print("{}  {:<8} {}\n", info.code, name_of(info.severity), info.meaning);
     codes.push_back({{"code", info.code}, {"severity", name_of(info.severity)}, {"meaning", info.meaning}});
   }
-  if (json) fmt::print("{}\n", nlohmann::ordered_json{{"codes", codes}}.dump(2));
+  if (json) fmt::print("{}", dump(nlohmann::ordered_json{{"codes", codes}}));
   return success;
 }
 

@@ -41,7 +41,7 @@ Json describe(const fs::path& file) {
 int list(bool json) {
   Json entries = Json::array();
   for (const fs::path& file : library()) entries.push_back(describe(file));
-  if (json) fmt::print("{}\n", Json{{"patterns", entries}}.dump(2));
+  if (json) fmt::print("{}", dump(Json{{"patterns", entries}}));
   for (const Json& each : entries) {
     if (json || !each.contains("wales")) continue;
     fmt::print("{:<24} {:>4} x {:<4} {}\n", each["name"].get<std::string>(), each["wales"].get<int>(),

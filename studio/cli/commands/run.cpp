@@ -31,7 +31,7 @@ Outcome simulate(Results& results, const std::filesystem::path& folder, bool pro
   options.save = [&](const Results& so_far) { writing += seconds_of([&] { write_snapshots(so_far, folder); }); };
   options.interrupt = &interrupt;
   const Outcome outcome = run(results, options);
-  writing += seconds_of([&] { write_pictures(results, folder); });
+  if (outcome != Outcome::interrupted) writing += seconds_of([&] { write_pictures(results, folder); });
   results.phases.push_back({"write", writing});
   write_tables(results, folder);
   return outcome;
@@ -40,13 +40,18 @@ Outcome simulate(Results& results, const std::filesystem::path& folder, bool pro
 int run_command(const RunCommand& command) {
   const bool resuming = !command.resume.empty();
   if (resuming == !command.scene.empty()) return complain("wale run", "a scene or --resume is wanted, one of the two");
-  if (resuming == !command.out.empty()) return complain("wale run", "-o DIR goes with a scene, and only with one");
+  if (resuming && !command.out.empty()) return complain("wale run", "--resume writes where it reads: leave out -o");
+  if (!resuming && command.out.empty()) return complain("wale run", "no place for the results", "add -o DIR");
   const std::atomic<bool>& interrupt = catch_interrupts();
   use_threads(command.threads);
   const std::filesystem::path folder = resuming ? command.resume : command.out;
   std::optional<Results> results = resuming ? resume_run((folder / results_name).string()) : begin_run(command.scene);
   if (!results) return bad_input;
-  prepare_folder(folder);
+  try {
+    prepare_folder(folder);
+  } catch (const std::system_error& error) {
+    return complain_unwritable(folder.string(), error);
+  }
   const Outcome outcome = simulate(*results, folder, command.progress, interrupt);
   if (command.json)
     fmt::print("{}", summary_json(*results));
