@@ -33,6 +33,8 @@ std::vector<Case> cases() {
                       .move = {3e-4, -1e-4, 2e-4},
                       .progress = Schedule::ramp(0, 1, 1)};
   const Contact inflated{.sampling = 0.05, .inflate_beads = true};
+  // One taut between two yarns, one slack, and one between segments that share control points.
+  const Knots knots{.knots = {{0, 9, 0.2, 0.7, 0.3e-3}, {1, 12, 0.5, 0.1, 9e-3}, {2, 4, 0.9, 0.3, 0.2e-3}}};
   using enum ContactLaw;
   return {
       {"StretchAtOneNode", Stretch{.nodes = 1}},
@@ -48,6 +50,7 @@ std::vector<Case> cases() {
       {"ContactDamping", ContactDamping{.tangential = 5, .normal = 40}, barrier, false, true, false, true},
       {"NormalContactDamping", ContactDamping{.normal = 40}, barrier, false, true, true, true},
       {"Tether", moving, barrier, true, false, false, true},
+      {"Knots", knots},
       {"Plates", Plates{.gap = 0.2e-3}, barrier, true, false, false, true},
   };
 }
