@@ -51,8 +51,7 @@ inline int dgbtrf(int lower, int upper, Eigen::MatrixXd& ab, std::vector<int>& p
 }
 
 /// b := A⁻¹ b, with the factors of dgbtrf; one right-hand side a column.
-inline int dgbtrs(int lower, int upper, const Eigen::MatrixXd& ab, const std::vector<int>& pivots,
-                  Eigen::MatrixXd& b) {
+inline int dgbtrs(int lower, int upper, const Eigen::MatrixXd& ab, const std::vector<int>& pivots, Eigen::MatrixXd& b) {
   const int n = static_cast<int>(ab.cols()), ldab = static_cast<int>(ab.rows());
   const int nrhs = static_cast<int>(b.cols()), ldb = static_cast<int>(b.rows());
   int info = 0;

@@ -30,9 +30,10 @@ Pair pressed(double height, double angle, double shift_below, double shift_above
   const Vec3 along(std::cos(angle), std::sin(angle), 0), up(0, 0, height);
   const auto x = Vec3::UnitX();
   add_yarn(fabric, straight_points((shift_below - half) * x, (shift_below + half) * x, segments), l);
-  add_yarn(fabric, straight_points(up + (shift_above - half_above) * along, up + (shift_above + half_above) * along,
-                                   above_segments),
-           l);
+  add_yarn(
+      fabric,
+      straight_points(up + (shift_above - half_above) * along, up + (shift_above + half_above) * along, above_segments),
+      l);
   World world(fabric, {Contact{.sampling = sampling}}, 0.0, at_rest(fabric));
   Pair answer;
   Points force;
@@ -50,8 +51,7 @@ Pair mean_pressed(double height, double angle, double sampling, double l, int ab
   Pair mean;
   for (int i = 0; i < phases; ++i)
     for (int j = 0; j < phases; ++j) {
-      const Pair one =
-          pressed(height, angle, i * spacing / phases, j * spacing / phases, sampling, l, above_segments);
+      const Pair one = pressed(height, angle, i * spacing / phases, j * spacing / phases, sampling, l, above_segments);
       mean.force += one.force / (phases * phases);
       mean.energy += one.energy / (phases * phases);
     }

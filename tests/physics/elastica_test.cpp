@@ -60,12 +60,11 @@ double worst(const Tip& tip, double reach, double drop) {
 }
 
 /// validation/cantilever_tip_load.csv: P L²/EI, reach and drop of the end over L.
-constexpr double tip_load[][3] = {{1, 0.94356676, 0.30172077}, {5, 0.61237164, 0.71379152}, {10, 0.4450044, 0.81060902}};
+constexpr double tip_load[][3] = {
+    {1, 0.94356676, 0.30172077}, {5, 0.61237164, 0.71379152}, {10, 0.4450044, 0.81060902}};
 /// validation/cantilever_self_weight.csv: q L³/EI, reach and drop of the end over L.
-constexpr double self_weight[][3] = {{1, 0.9912464, 0.1234714},
-                                     {5, 0.84665718, 0.49590504},
-                                     {10, 0.65635376, 0.70019971},
-                                     {50, 0.24501476, 0.90791712}};
+constexpr double self_weight[][3] = {
+    {1, 0.9912464, 0.1234714}, {5, 0.84665718, 0.49590504}, {10, 0.65635376, 0.70019971}, {50, 0.24501476, 0.90791712}};
 
 double tip_load_error(int segments, const double (&row)[3], int nodes) {
   const double load = row[0] * thick_yarn().bending_rigidity / (L * L);

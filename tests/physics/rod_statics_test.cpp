@@ -81,8 +81,8 @@ TEST(Rod, StretchedByAFactorHoldsTheEnergyAndTheForceOfASpring) {
     }
 }
 
-/// validation.md B15: u(L) = q L²/(2 EA) and T(s) = q (L - s). One Newton step, as the problem is linear. With one node a
-/// segment the rule is exact only away from the ends, where its error dies away by 0.17 a segment.
+/// validation.md B15: u(L) = q L²/(2 EA) and T(s) = q (L - s). One Newton step, as the problem is linear. With one node
+/// a segment the rule is exact only away from the ends, where its error dies away by 0.17 a segment.
 TEST(Rod, HangingFromOneEndStretchesUnderItsOwnWeight) {
   Material soft;
   soft.axial_stiffness = 0.05;
@@ -150,10 +150,10 @@ double buckling_load(const std::vector<Clamp>& clamps, double guess) {
 TEST(Rod, BucklesUnderEulersLoad) {
   const Clamp held_start{.yarn = 0, .direction = true}, held_end{.yarn = 0, .at_end = true, .direction = true};
   const Clamp pinned_start{.yarn = 0}, pinned_end{.yarn = 0, .at_end = true};
-  for (const Ends& ends : {Ends{"clamped-free", {held_start}, 2.4674011},
-                           Ends{"pinned-pinned", {pinned_start, pinned_end}, 9.869604401},
-                           Ends{"clamped-pinned", {held_start, pinned_end}, 20.19072856},
-                           Ends{"clamped-clamped", {held_start, held_end}, 39.4784176}})
+  for (const Ends& ends :
+       {Ends{"clamped-free", {held_start}, 2.4674011}, Ends{"pinned-pinned", {pinned_start, pinned_end}, 9.869604401},
+        Ends{"clamped-pinned", {held_start, pinned_end}, 20.19072856},
+        Ends{"clamped-clamped", {held_start, held_end}, 39.4784176}})
     EXPECT_NEAR(buckling_load(ends.clamps, ends.critical), ends.critical, 1e-3 * ends.critical) << ends.name;
 }
 

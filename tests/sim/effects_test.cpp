@@ -151,8 +151,9 @@ TEST_P(EveryEffect, HasAStiffnessThatIsTheSlopeOfItsForceByPosition) {
     const auto b = small(seed);
     b->at.v.setZero();  // the stiffness is that of the energy alone
     const Eigen::MatrixXd stiffness = dense(ask(*b->effect, b->at).stiffness);
-    const Eigen::MatrixXd expected = -slope_of(
-        [&](const Points& q) { return force_at(*b->effect, b->at, &q, nullptr).reshaped().eval(); }, b->at.q, small_move);
+    const Eigen::MatrixXd expected =
+        -slope_of([&](const Points& q) { return force_at(*b->effect, b->at, &q, nullptr).reshaped().eval(); }, b->at.q,
+                  small_move);
     EXPECT_LE((stiffness - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff() + 1e-12);
   }
 }
@@ -161,9 +162,9 @@ TEST_P(EveryEffect, HasADampingThatIsTheSlopeOfItsForceByVelocity) {
   for (const unsigned seed : seeds) {
     const auto b = small(seed);
     const Eigen::MatrixXd damping = dense(ask(*b->effect, b->at).damping);
-    const Eigen::MatrixXd expected = -slope_of(
-        [&](const Points& v) { return force_at(*b->effect, b->at, nullptr, &v).reshaped().eval(); }, b->at.v,
-        small_speed);
+    const Eigen::MatrixXd expected =
+        -slope_of([&](const Points& v) { return force_at(*b->effect, b->at, nullptr, &v).reshaped().eval(); }, b->at.v,
+                  small_speed);
     EXPECT_EQ(expected.cwiseAbs().maxCoeff() > 0, !GetParam().elastic);
     EXPECT_LE((damping - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
   }
@@ -334,8 +335,8 @@ TEST(Tether, LeavesAnEvenlyStretchedYarnAloneWhenItsTargetIsThatStretch) {
   State at = shaken_state(fabric, 0, 1);
   const State start = at;
   Parts parts{fabric, laid, start};
-  const auto effect = make(Tether{.segments = {1, 2, 5}, .centre = {2e-3, 0, 0}, .scale = {1.5, 1, 1}, .progress = 1.0},
-                           parts);
+  const auto effect =
+      make(Tether{.segments = {1, 2, 5}, .centre = {2e-3, 0, 0}, .scale = {1.5, 1, 1}, .progress = 1.0}, parts);
   at.q.row(0) = (2e-3 + 1.5 * (start.q.row(0).array() - 2e-3)).matrix();
   double energy = 0;
   Load load{.energy = &energy};

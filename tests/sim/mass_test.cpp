@@ -51,7 +51,8 @@ TEST(Mass, IsRightForYarnsTooShortForTheTable) {
 Fabric uneven_fabric() {
   Fabric fabric = crossing_yarns(ContactLaw::barrier, 1);
   fabric.materials[1].linear_density = 30e-6;
-  for (std::size_t i = 0; i < fabric.segments.size(); ++i) fabric.segments[i].length *= 1 + 0.1 * static_cast<double>(i);
+  for (std::size_t i = 0; i < fabric.segments.size(); ++i)
+    fabric.segments[i].length *= 1 + 0.1 * static_cast<double>(i);
   return fabric;
 }
 
