@@ -1,6 +1,9 @@
 #include "compiler/compile.hpp"
 
+#include <algorithm>
+
 #include "compiler/demand.hpp"
+#include "compiler/front/scene.hpp"
 
 namespace wale {
 
@@ -15,6 +18,7 @@ std::optional<Compiled> compile_chart(Chart chart, int segments_per_stitch, Diag
   auto program = passes::lower_chart(chart, say);
   if (!program) return std::nullopt;
   passes::check_program(*program, say);
+  if (say.failed()) return std::nullopt;
   auto graph = passes::knit(*program, say);
   if (!graph) return std::nullopt;
   passes::check_graph(*graph, say);
@@ -28,6 +32,25 @@ std::optional<Compiled> compile_chart(Chart chart, int segments_per_stitch, Diag
   auto crossings = demanded_crossings(*layout, *fabric);
   return Compiled{std::move(chart), std::move(*program), std::move(*graph), std::move(*layout),
                   std::move(*fabric), std::move(gauge),  std::move(crossings)};
+}
+
+std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagnostics& say) {
+  auto parsed = parse_scene(source, say);
+  if (!parsed) return std::nullopt;
+  const Source* pattern = read_pattern(*parsed, sources, say);
+  if (!pattern) return std::nullopt;
+  auto compiled = compile_chart(*pattern, parsed->overrides, parsed->segments_per_stitch, say);
+  if (!compiled) return std::nullopt;
+
+  double diameter = 0;
+  for (const Material& yarn : compiled->fabric.materials) diameter = std::max(diameter, yarn.diameter);
+  compiled->gauge.thickness = parsed->thickness > 0 ? parsed->thickness : 2 * diameter;
+  const Knots ends = secured_ends(compiled->fabric);
+  for (Stage& stage : parsed->stages)
+    for (EffectSpec& effect : stage.effects)
+      if (Knots* knots = std::get_if<Knots>(&effect)) knots->knots = ends.knots;
+  return Scene{parsed->name, std::move(compiled->fabric), std::move(parsed->stages), std::move(compiled->gauge), {},
+               std::move(compiled->crossings)};
 }
 
 }  // namespace wale

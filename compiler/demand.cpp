@@ -34,16 +34,25 @@ std::map<int, const PlacedLoop*> by_stitch(const Layout& layout) {
 
 std::vector<Crossing> demanded_crossings(const Layout& layout, const Fabric& fabric) {
   const auto ranges = ranges_by_stitch(fabric);
+  const auto head = [](const Range& of) { return (of.first + of.last + 1) / 2; };
+  // A side reaches to the head beside it. At a selvedge there is none: the yarn that joins two courses swings about
+  // freely, over or under the last loop, and tells nothing.
+  const auto neighbour = [&](int beyond) -> const Range* {
+    if (beyond < 0 || beyond >= fabric.segment_count() || fabric.segment(beyond).stitch < 0) return nullptr;
+    return &ranges.at(fabric.segment(beyond).stitch);
+  };
   std::vector<Crossing> crossings;
   for (std::size_t course = 1; course < layout.rows.size(); ++course)
     for (std::size_t wale = 0; wale < layout.rows[course].size(); ++wale) {
       const PlacedLoop& child = layout.rows[course][wale];
-      const Range leg = ranges.at(child.loop), loop = ranges.at(layout.rows[course - 1][wale].loop);
-      // A loop knitted from left to right turns clockwise seen from the face: its area vector points away from it.
-      const int facing = layout.from_left[course - 1] ? -1 : 1;
-      const int apex = (leg.first + leg.last + 1) / 2;
-      crossings.push_back({leg.first, apex - 1, loop.first, loop.last, facing * child.sign});
-      crossings.push_back({apex, leg.last, loop.first, loop.last, -facing * child.sign});
+      const Range own = ranges.at(child.loop), loop = ranges.at(layout.rows[course - 1][wale].loop);
+      // The first side drawn goes up behind and over a knit loop's head; whether that turns left or right round it
+      // depends on which way the loop below runs.
+      const int running = layout.from_left[course - 1] ? 1 : -1;
+      if (const Range* before = neighbour(own.first - 1))
+        crossings.push_back({head(*before), head(own) - 1, loop.first, loop.last, -running * child.sign});
+      if (const Range* after = neighbour(own.last + 1))
+        crossings.push_back({head(own), head(*after) - 1, loop.first, loop.last, running * child.sign});
     }
   return crossings;
 }

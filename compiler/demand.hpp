@@ -8,8 +8,7 @@
 
 namespace wale {
 
-/// Both legs of every loop that is pulled through another: the leg must pass through that loop from the side that its
-/// sign says.
+/// Both sides of every loop that is pulled through another; at a selvedge only the inner side.
 std::vector<Crossing> demanded_crossings(const Layout&, const Fabric&);
 
 /// The ends of a swatch: cast-on and first course, last course and bind-off; the first and the last wale with the yarn

@@ -80,9 +80,9 @@ struct RungeKutta {
   double absolute = 1e-8;     ///< m, and m/s for velocities
   double first_step = 0;      ///< s; 0: Hairer's choice
 };
-/// Equilibrium after equilibrium, by Levenberg-Marquardt on the energy.
+/// Equilibrium after equilibrium, by a trust-region Newton method on the energy.
 struct QuasiStatic {
-  double tolerance = 1e-3;      ///< largest residual force on a control point, over the bending force scale EI/(10 d)²
+  double tolerance = 0.02;      ///< largest residual force on a control point, over the yarn's bending force EI/d²
   int iterations = 200;         ///< a load step that needs more is halved
   double first_step = 0;        ///< in units of the stage's duration; 0: as the samples ask
   double smallest_step = 1e-5;  ///< in units of the stage's duration: below this the solve has failed
@@ -127,12 +127,12 @@ struct Clamp {
   bool direction = false;  ///< hold the direction of y' (its length stays free)
 };
 
-/// A leg of one loop that the stitch graph demands to pass through another loop, as segment ranges [first, last].
-/// `sign` is the side from which it comes: see sim/results/topology.hpp.
+/// One side of a loop, from its head to the head beside it, that the stitch graph demands to be pulled through another
+/// loop; as segment ranges [first, last]. See sim/results/topology.hpp.
 struct Crossing {
-  int leg_first = 0, leg_last = 0;
+  int side_first = 0, side_last = 0;
   int loop_first = 0, loop_last = 0;
-  int sign = 0;
+  int sign = 0;  ///< of the two crossings that the side makes with the loop, as net_crossing() counts them
   bool operator==(const Crossing&) const = default;
 };
 

@@ -25,6 +25,15 @@ std::vector<double> shrinkage(const YarnCurve& yarn, const ArcLength& arc) {
   return shares;
 }
 
+/// The yarn of a cast-on or bind-off spiral. A chain that has been worked and has set keeps its curl by itself; drawn
+/// with its full bending rigidity it would, without friction, straighten and drag the stitches along. So it is pliant.
+Material at_edge(Material yarn) {
+  constexpr double pliancy = 0.05;
+  yarn.name += " edge";
+  yarn.bending_rigidity *= pliancy;
+  return yarn;
+}
+
 double stitch_length_drawn(const YarnCurve& yarn, const ArcLength& arc) {
   double drawn = 0;
   int stitches = 0;
@@ -65,6 +74,7 @@ std::optional<Fabric> fit(const Curves& curves, const Chart& chart, int segments
   Fabric fabric;
   fabric.points.resize(3, 0);
   for (const ChartYarn& yarn : chart.yarns) fabric.materials.push_back(yarn.material);
+  for (const ChartYarn& yarn : chart.yarns) fabric.materials.push_back(at_edge(yarn.material));
   for (const YarnCurve& curve : curves.yarns) fit_yarn(curve, segments_per_stitch, fabric);
   return fabric;
 }

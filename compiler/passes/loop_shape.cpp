@@ -10,12 +10,16 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double blend_width = 0.4;  // in w, on either side of the middle of a sinker
+constexpr double phase_shift = 0.12;  // in half waves, towards the leg's middle
 
-/// Where the loop above has the same sign, the paper's form; where not, its wavelength shrinks so that all four
-/// depths still follow the rule. In λz, slope by w.
+/// Where the loop above has the same sign, the paper's form; where not, three half waves instead of two from head to
+/// sinker, so that all four depths still follow the rule. They are shorter about the leg's middle, where nothing crosses,
+/// for the sake of head and sinker. In λz, slope by w.
 Smooth own_depth(const LoopSigns& signs, double w) {
-  const double k = signs.own == signs.above ? pi : 1.5 * pi;
-  return {-signs.above * std::cos(k * w), signs.above * k * std::sin(k * w)};
+  Smooth phase{w, 1};
+  if (signs.own != signs.above)
+    phase = {1.5 * w - phase_shift * std::sin(pi * w), 1.5 - phase_shift * pi * std::cos(pi * w)};
+  return {-signs.above * std::cos(pi * phase.value), signs.above * pi * phase.slope * std::sin(pi * phase.value)};
 }
 
 Smooth mix(const Smooth& a, const Smooth& b, const Smooth& share) {

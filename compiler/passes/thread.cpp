@@ -20,8 +20,8 @@ constexpr double outside_of_tube = 2.4;   // how far a tube's last join passes i
 /// spiral. A tube's courses follow each other in x without end.
 class Drawing {
  public:
-  Drawing(const Layout& layout, LoopSize size, double diameter)
-      : layout_(layout), size_(size), diameter_(diameter), chain_(chain_radius * diameter) {}
+  Drawing(const Layout& layout, LoopSize size, double diameter, int materials)
+      : layout_(layout), size_(size), diameter_(diameter), chain_(chain_radius * diameter), materials_(materials) {}
 
   std::vector<CurvePiece> draw() {
     if (layout_.cast_on) cast_on();
@@ -123,11 +123,14 @@ class Drawing {
                                          first + wale * loops.wale(), x);
             return Point{c.y, width * c.dy};
           },
-          at(course, std::clamp(static_cast<int>(std::lround((begin + width / 2 - centre_x(course, 0)) / size_.wale())),
+          edge_material(at(course, std::clamp(static_cast<int>(std::lround((begin + width / 2 - centre_x(course, 0)) / size_.wale())),
                                 0, layout_.wales - 1))
-              .material);
+              .material));
     }
   }
+
+  /// The fabric's materials are followed by their edge forms, in the same order: see fit.
+  int edge_material(int material) const { return material + materials_; }
 
   std::vector<int> row_signs(int course) const {
     std::vector<int> row;
@@ -174,6 +177,7 @@ class Drawing {
   const Layout& layout_;
   LoopSize size_;
   double diameter_, chain_;
+  int materials_;
   std::vector<CurvePiece> pieces_;
 };
 
@@ -204,7 +208,7 @@ std::optional<Curves> thread(const Layout& layout, const Chart& chart, Diagnosti
   const double round = size.wale() * layout.wales;
   const Strip strip{layout.form == Form::tube, round / (2 * std::numbers::pi),
                     (layout.from_left.front() ? 1 : -1) * size.pitch / round};
-  YarnCurve yarn{Drawing(layout, size, diameter).draw()};
+  YarnCurve yarn{Drawing(layout, size, diameter, static_cast<int>(chart.yarns.size())).draw()};
   if (strip.tube)
     for (CurvePiece& piece : yarn.pieces)
       piece.at = [strip, flat = std::move(piece.at)](double u) { return strip.wind(flat(u)); };

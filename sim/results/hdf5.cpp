@@ -62,8 +62,8 @@ void describe_scene(Archive in, AnyScene& scene) {
   clamps.field("position", "", scene.clamps, &Clamp::position);
   clamps.field("direction", "", scene.clamps, &Clamp::direction);
   auto crossings = in.group("crossings");
-  crossings.field("leg_first", "", scene.crossings, &Crossing::leg_first);
-  crossings.field("leg_last", "", scene.crossings, &Crossing::leg_last);
+  crossings.field("side_first", "", scene.crossings, &Crossing::side_first);
+  crossings.field("side_last", "", scene.crossings, &Crossing::side_last);
   crossings.field("loop_first", "", scene.crossings, &Crossing::loop_first);
   crossings.field("loop_last", "", scene.crossings, &Crossing::loop_last);
   crossings.field("sign", "", scene.crossings, &Crossing::sign);

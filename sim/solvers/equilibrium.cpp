@@ -11,9 +11,8 @@ namespace {
 
 constexpr double furthest_move = 0.3;   // of the diameter, in one iteration
 constexpr double share_of_gap = 0.45;   // two yarns that each move this share of their gap still do not meet
-constexpr double first_shift = 10;      // N/m: about as stiff as a loop bends
-constexpr double smallest_shift = 1e-6; // N/m: softer than any swatch
-constexpr double largest_shift = 1e8;   // N/m
+// A point pulled by the largest residual and held only by the shift would move so many reaches.
+constexpr double reaches_when_free = 5;
 constexpr int most_inner = 60;          // conjugate-gradient steps
 
 double furthest(const Eigen::VectorXd& x) {
@@ -34,12 +33,20 @@ double Equilibrium::safe_move() const {
   return thickness_ * std::min(furthest_move, share_of_gap * world_.closest());
 }
 
+void Equilibrium::release(Points& force) const {
+  if (world_.constraints().empty()) return;
+  Eigen::VectorXd x = force.reshaped();
+  world_.constraints().project(x, [](Eigen::VectorXd&) {});
+  force = x.reshaped(3, force.cols());
+}
+
 double Equilibrium::evaluate(const State& at, Points* force, Effort& effort) {
   world_.prepare(at);
   double energy = 0;
   Load load{.energy = &energy, .force = force};
   world_.evaluate(at, load);
   ++effort.evaluations;
+  if (force) release(*force);
   return energy;
 }
 
@@ -86,6 +93,7 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) const {
     bent += alpha * stiff;
     if (step.limited) break;
     residual -= alpha * stiff;
+    world_.constraints().project(residual, [](Eigen::VectorXd&) {});
     z = residual;
     precondition(z);
     const double next = residual.dot(z);
@@ -103,12 +111,16 @@ Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int itera
   Points force;
   double energy = evaluate(state, &force, effort);
   if (!std::isfinite(energy)) return Answer::gave_up;
-  shift_ = first_shift;
+  reach_ = safe_move();
+  bool factored = false;
   for (int i = 0; i < iterations; ++i) {
     residual_ = furthest(force.reshaped());
     if (residual_ < tolerance) return Answer::found;
-    reach_ = safe_move();
-    if (!factor(state, effort)) return Answer::gave_up;
+    if (!factored) {
+      shift_ = residual_ / (reaches_when_free * safe_move());
+      if (!factor(state, effort)) return Answer::gave_up;
+      factored = true;
+    }
     const Step step = downhill(force);
     State trial = state;
     trial.q += step.move.reshaped(3, step.move.size() / 3);
@@ -116,24 +128,29 @@ Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int itera
     const double before = world_.closest();
     const double trial_energy = evaluate(trial, &trial_force, effort);
     const double gain = (energy - trial_energy) / step.promised;
+    const double length = furthest(step.move);
     if (talk)
       std::fprintf(stderr, "  %3d E %.9e res %.3e rms %.1e move %.2e shift %.2e lim %d gain %.3f gap %.3f\n", i, energy, residual_,
-                   force.norm()/std::sqrt(force.cols()), furthest(step.move), shift_, step.limited, gain, before);
-    if (talk) { Eigen::Index a, b; step.move.reshaped(3, step.move.size() / 3).colwise().squaredNorm().maxCoeff(&a); force.colwise().squaredNorm().maxCoeff(&b); const Eigen::VectorXd m = step.move.reshaped(3, step.move.size() / 3).colwise().norm(); std::fprintf(stderr, "      mover %ld (%.1f %.1f %.1f mm) res at %ld  mean move %.1e  ", (long)a, 1e3*state.q(0,a), 1e3*state.q(1,a),1e3*state.q(2,a), (long)b, m.mean()); 
-      for (const auto& e : world_.effects()) { double en = 0; Load l{.energy = &en}; e->add(state, l); std::fprintf(stderr, "%s %.3e ", std::string(e->name()).c_str(), en);} std::fprintf(stderr, "\n"); }
-    const bool good = std::isfinite(trial_energy) && gain > 1e-3;
+                   force.norm()/std::sqrt(force.cols()), length, shift_, step.limited, gain, before);
+    // Below the rounding of the energy only the force can tell.
+    const bool drowned = step.promised < 1e-12 * std::abs(energy);
+    const bool good = std::isfinite(trial_energy) && (drowned ? furthest(trial_force.reshaped()) < residual_ : gain > 1e-3);
     if (good) {
       state = std::move(trial);
       force = std::move(trial_force);
       energy = trial_energy;
+      factored = false;
     } else {
       world_.prepare(state);
     }
-    if (!good) shift_ *= 6;
-    else if (step.limited || gain < 0.25) shift_ *= 2;
-    else if (gain > 0.5) shift_ /= 3;
-    shift_ = std::max(shift_, smallest_shift);
-    if (shift_ > largest_shift) return Answer::gave_up;
+    if (!good)
+      reach_ = 0.3 * length;
+    else if (gain < 0.25)
+      reach_ = 0.6 * length;
+    else if (gain > 0.6 && step.limited)
+      reach_ *= 2;
+    reach_ = std::min(reach_, safe_move());
+    if (reach_ < 1e-9 * thickness_) return Answer::gave_up;
   }
   return Answer::gave_up;
 }

@@ -33,6 +33,7 @@ class Equilibrium {
   bool factor(const State& at, Effort& effort);
   Step downhill(const Points& force) const;
   double evaluate(const State& at, Points* force, Effort& effort);
+  void release(Points& force) const;  // takes out what the clamps bear
   void precondition(Eigen::VectorXd& x) const;
 
   World& world_;

@@ -15,7 +15,7 @@ class QuasiStaticSolver final : public Solver {
   QuasiStaticSolver(const QuasiStatic& spec, World& world, State start)
       : spec_(spec), equilibrium_(world), state_(std::move(start)), before_(state_) {
     const Material& yarn = world.fabric().materials.front();
-    tolerance_ = spec.tolerance * yarn.bending_rigidity / (100 * yarn.diameter * yarn.diameter);
+    tolerance_ = spec.tolerance * yarn.bending_rigidity / (yarn.diameter * yarn.diameter);
     world.prepare(state_);
   }
 
