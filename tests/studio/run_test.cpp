@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/studio/shell.hpp"
+
+namespace wale::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string chart = R"(knit: 1
+wales: 3
+yarns: {main: {material: acrylic_16_2}}
+bands: [{stitch: jersey, courses: 4}]
+)";
+
+/// In time rather than at equilibria: many small, quick steps, so that an interruption falls between two samples.
+const std::string scene = R"(scene: 1
+fabric: {pattern: chart.yaml, segments_per_stitch: 6}
+effects: {stretch: , bend: , contact: , drag: }
+stages:
+  - {name: tighten, duration: 5 us, samples: 1, tighten: 10 %, hold: ends}
+  - {name: pull, duration: 160 us, samples: 8, pull: {along: wale, to: 4 %}}
+solver: {runge_kutta: {relative: 1e-3}}
+)";
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  return text.replace(text.find(what), what.size(), by);
+}
+
+class Run : public testing::Test {
+ protected:
+  Run() { scratch_.write("chart.yaml", chart); }
+  std::string folder() const { return scratch_.path("results"); }
+  std::string file(const std::string& name) const { return folder() + "/" + name; }
+  Answer run(const std::string& text) const {
+    return wale({"run", scratch_.write("scene.yaml", text), "-o", folder()});
+  }
+  Scratch scratch_;
+};
+
+TEST_F(Run, LeavesEveryFileThatItPromises) {
+  const Answer answer = run(scene);
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  for (const char* name : {"curve.csv", "summary.json", "results.h5", "frames.pvd", "fabric_relaxed.svg",
+                           "fabric_pulled.svg", "curve.svg"})
+    EXPECT_TRUE(fs::is_regular_file(file(name))) << name;
+  EXPECT_TRUE(read(file("curve.csv")).starts_with("strain,stress_MPa,force_N,force_per_wale_N,"))
+      << read(file("curve.csv"));
+  EXPECT_EQ(numbers(read(file("curve.csv"))).size(), 9u) << "the start of the pull and its eight samples";
+  const auto summary = nlohmann::json::parse(read(file("summary.json")));
+  EXPECT_TRUE(summary["topology"]["intact"].get<bool>());
+  EXPECT_EQ(wale({"curve", folder()}).out, read(file("curve.csv")));
+}
+
+TEST_F(Run, GoesOnAfterAnInterruptionToTheCurveOfAnUninterruptedRun) {
+  ASSERT_EQ(run(scene).exit_code, 0);
+  const std::string whole = read(file("curve.csv"));
+
+  const std::string other = scratch_.path("interrupted");
+  const Answer stopped = wale({"run", scratch_.path("scene.yaml"), "-o", other}, other + "/results.h5");
+  ASSERT_EQ(stopped.exit_code, 130) << stopped.err;
+  EXPECT_NE(stopped.err.find("wale run --resume " + other), std::string::npos) << stopped.err;
+  fs::remove(scratch_.path("scene.yaml"));
+  fs::remove(scratch_.path("chart.yaml"));
+  EXPECT_LT(numbers(read(other + "/curve.csv")).size(), 9u) << "it was stopped too late to show anything";
+  const Answer resumed = wale({"run", "--resume", other});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+
+  EXPECT_EQ(read(other + "/curve.csv"), whole);
+}
+
+TEST_F(Run, RefusesAFolderThatCannotBeWrittenBeforeItComputes) {
+  scratch_.write("results", "a file where the folder should be");
+  const Answer answer = run(scene);
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_NE(answer.first_error_line().find("error: cannot be written"), std::string::npos) << answer.err;
+}
+
+TEST_F(Run, PrintsTheSummaryAsJson) {
+  const std::string tighten_only = replaced(
+      scene, scene.substr(scene.find("  - {name: pull"), scene.find("solver:") - scene.find("  - {name: pull")), "");
+  const Answer answer =
+      wale({"run", scratch_.write("scene.yaml", tighten_only), "-o", folder(), "--json", "--threads", "1"});
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_EQ(nlohmann::json::parse(answer.out)["threads"], 1);
+}
+
+TEST(Resume, SaysWhenThereIsNothingToGoOnFrom) {
+  const Scratch scratch;
+  const Answer answer = wale({"run", "--resume", scratch.path("nothing")});
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_NE(answer.err.find("nothing"), std::string::npos) << answer.err;
+}
+
+struct Mistake {
+  std::string what, good, bad;
+};
+
+class BadScene : public Run, public testing::WithParamInterface<Mistake> {};
+
+TEST_P(BadScene, IsOneLineWithItsPlaceAndAHintAndMakesNoFolder) {
+  const Answer answer = run(replaced(scene, GetParam().good, GetParam().bad));
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_TRUE(std::regex_search(answer.first_error_line(), std::regex(R"(\.yaml:\d+:\d+: error: .*\[\w+\]$)")))
+      << answer.err;
+  EXPECT_NE(answer.err.find("\n  hint: "), std::string::npos) << answer.err;
+  EXPECT_FALSE(fs::exists(folder()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EachMistake, BadScene,
+    testing::Values(Mistake{"UnknownKey", "effects:", "efects:"}, Mistake{"UnknownEffect", "bend:", "bent:"},
+                    Mistake{"NoChart", "chart.yaml", "cart.yaml"}, Mistake{"NoUnit", "duration: 5 us", "duration: 5"},
+                    Mistake{"WrongDimension", "duration: 5 us", "duration: 5 mm"},
+                    Mistake{"NegativeTime", "duration: 5 us", "duration: -5 us"},
+                    Mistake{"StrainWithoutADirection", "pull: {along: wale, to: 4 %}", "pull: 4 %"},
+                    Mistake{"StrainInADictionaryWithoutADirection", "along: wale, ", ""},
+                    Mistake{"AbsurdSize", "segments_per_stitch: 6", "segments_per_stitch: 6, wales: 100000000"},
+                    Mistake{"NoStages", "stages:", "#"}),
+    [](const auto& name) { return name.param.what; });
+
+}  // namespace
+}  // namespace wale::test
