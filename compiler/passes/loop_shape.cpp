@@ -10,7 +10,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double blend_width = 0.4;  // in w, on either side of the middle of a sinker
-constexpr double phase_shift = 0.12;  // in half waves, towards the leg's middle
+constexpr double phase_shift = 0.2;  // in half waves, towards the leg's middle
 
 /// Where the loop above has the same sign, the paper's form; where not, three half waves instead of two from head to
 /// sinker, so that all four depths still follow the rule. They are shorter about the leg's middle, where nothing crosses,
@@ -42,7 +42,7 @@ Smooth loop_depth(const LoopSigns& left, const LoopSigns& here, const LoopSigns&
 }  // namespace
 
 LoopSize loose_loops(double diameter, double enlarge) {
-  return {1.25 * diameter * enlarge, 2.7 * diameter * enlarge, 0.85 * diameter, 3.5 * diameter * enlarge};
+  return {1.25 * diameter * enlarge, 2.7 * diameter * enlarge, 0.88 * diameter, 3.5 * diameter * enlarge};
 }
 
 Curve3 loop_point(const LoopSize& size, const LoopSigns& left, const LoopSigns& here, const LoopSigns& right,
