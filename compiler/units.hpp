@@ -25,6 +25,7 @@ inline constexpr Dimension linear_density{"kg/m", "a linear density", "77 tex"};
 inline constexpr Dimension bending_rigidity{"N m2", "a bending rigidity", "1.47e-8 N m^2"};
 inline constexpr Dimension stiffness{"N/m", "a stiffness", "100 N/m"};
 inline constexpr Dimension foundation{"N/m2", "a stiffness per length", "1e4 N/m^2"};
+inline constexpr Dimension spring{"N/m", "a spring stiffness", "100 N/m"};
 inline constexpr Dimension acceleration{"m/s2", "an acceleration", "9.81 m/s^2"};
 inline constexpr Dimension drag{"kg/m/s", "a drag coefficient", "0.02 kg/(m s)"};
 inline constexpr Dimension contact_damping{"N s/m3", "a contact damping", "20 N s/m^3"};

@@ -27,7 +27,7 @@ struct Material {
   double bending_rigidity = 1.474e-8;   ///< EI, N m²
   double diameter = 0.524e-3;           ///< contact diameter d, m
   ContactLaw law = ContactLaw::barrier;
-  double contact_stiffness = 100;       ///< k, N/m
+  double contact_stiffness = 300;       ///< k, N/m
   double core_diameter = 0.2e-3;        ///< core_shell only: c = core_diameter / diameter, m
   double shell_exponent = 2.4;          ///< core_shell only: p > 2
   bool operator==(const Material&) const = default;

@@ -11,6 +11,14 @@
 namespace wale {
 namespace {
 
+/// A solver's steps, given as shares of a stage, in seconds.
+QuasiStatic timed(QuasiStatic spec, double duration) {
+  spec.first_step *= duration;
+  spec.smallest_step *= duration;
+  return spec;
+}
+RungeKutta timed(const RungeKutta& spec, double) { return spec; }
+
 /// Runs one scene into one Results, from wherever its snapshots end.
 class Run {
  public:
@@ -84,7 +92,8 @@ class Run {
   /// Each sample starts from nothing but its state, so that a resumed run does as an uninterrupted one.
   Outcome until(int index, const StageSetup& setup, double t, State& state) {
     const auto world = setup.world();
-    const auto solver = std::visit([&](const auto& spec) { return make(spec, *world, state); }, stage_at(index).solver);
+    const auto solver = std::visit([&](const auto& spec) { return make(timed(spec, stage_at(index).duration), *world, state); },
+                                   stage_at(index).solver);
     Outcome outcome = Outcome::finished;
     while (true) {
       const Progress progress = solver->advance(t);

@@ -84,8 +84,8 @@ struct RungeKutta {
 struct QuasiStatic {
   double tolerance = 0.02;      ///< largest residual force on a control point, over the yarn's bending force EI/d²
   int iterations = 200;         ///< a load step that needs more is halved
-  double first_step = 0;        ///< in units of the stage's duration; 0: as the samples ask
-  double smallest_step = 1e-5;  ///< in units of the stage's duration: below this the solve has failed
+  double first_step = 0;        ///< share of the stage; 0: from sample to sample
+  double smallest_step = 1e-5;  ///< share of the stage: below this the solve has failed
 };
 using SolverSpec = std::variant<QuasiStatic, RungeKutta>;
 
@@ -105,6 +105,7 @@ struct Stage {
   int samples = 10;                  ///< snapshots at even intervals, the last one at the end
   std::optional<double> tighten;     ///< rest lengths go to this share of the way from `length` to `knitted`
   Hold hold = Hold::none;            ///< `ends`: cast-on and bind-off are held and shrink with the rest length
+  std::optional<Along> mount;        ///< the ends are held sideways and free along this direction, as when clamped
   std::optional<Pull> pull;
   double grip_stiffness = 1e6;       ///< k_t of the tethers of `hold` and `pull`, N/m²
   std::vector<EffectSpec> effects;   ///< what is not here is not simulated

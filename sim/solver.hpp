@@ -32,6 +32,7 @@ class Solver {
 
 /// `world` must outlive the solver.
 std::unique_ptr<Solver> make(const RungeKutta&, World& world, State);
+/// The steps of the spec are taken as seconds.
 std::unique_ptr<Solver> make(const QuasiStatic&, World& world, State);
 
 }  // namespace wale

@@ -36,6 +36,7 @@ StageSetup::StageSetup(const Scene& scene, const Stage& stage, const State& star
       tightening_(stage.tighten ? Schedule::ramp(tightened, *stage.tighten, stage.duration) : Schedule(tightened)),
       effects_(stage.effects) {
   if (stage.hold == Hold::ends) hold_ends();
+  if (stage.mount) mount_ends(*stage.mount);
   if (stage.pull) pull_ends();
 }
 
@@ -56,16 +57,33 @@ void StageSetup::hold_ends() {
   }
 }
 
+const std::array<std::vector<int>, 2>& StageSetup::ends(Along along) const {
+  return along == Along::wale ? scene_.gauge.wale_ends : scene_.gauge.course_ends;
+}
+
+/// Held sideways the ends keep their shape, and the fabric between them comes to rest at the length where a tensile
+/// tester reads no force.
+void StageSetup::mount_ends(Along along) {
+  for (std::size_t end = 0; end < 2; ++end) {
+    Tether grip;
+    grip.label = grip_labels[end];
+    grip.segments = ends(along)[end];
+    grip.stiffness = stage_.grip_stiffness;
+    grip.axes = along == Along::wale ? Vec3(1, 0, 1) : Vec3(0, 1, 1);
+    effects_.emplace_back(std::move(grip));
+  }
+}
+
 void StageSetup::pull_ends() {
-  const auto& ends = stage_.pull->along == Along::wale ? scene_.gauge.wale_ends : scene_.gauge.course_ends;
+  const auto& grips = ends(stage_.pull->along);
   const Vec3 apart =
-      centre_of(scene_.fabric, ends[1], start_.q) - centre_of(scene_.fabric, ends[0], start_.q);
+      centre_of(scene_.fabric, grips[1], start_.q) - centre_of(scene_.fabric, grips[0], start_.q);
   const Vec3 along = stage_.pull->along == Along::wale ? Vec3::UnitY() : Vec3::UnitX();
   gauge_length_ = apart.dot(along);
   for (std::size_t end = 0; end < 2; ++end) {
     Tether grip;
     grip.label = grip_labels[end];
-    grip.segments = ends[end];
+    grip.segments = grips[end];
     grip.stiffness = stage_.grip_stiffness;
     grip.move = (end == 0 ? -0.5 : 0.5) * stage_.pull->strain * gauge_length_ * along;
     grip.progress = Schedule::ramp(0, 1, stage_.duration);

@@ -22,7 +22,9 @@ class StageSetup {
 
  private:
   void hold_ends();
+  void mount_ends(Along);
   void pull_ends();
+  const std::array<std::vector<int>, 2>& ends(Along) const;
   double strain(double t) const;
 
   const Scene& scene_;

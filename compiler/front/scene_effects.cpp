@@ -36,7 +36,7 @@ class Settings {
   Diagnostics& say_;
 };
 
-constexpr Range samplings{1e-4, 0.5}, screenings{0.5, 20}, tolerances{1e-14, 0.1}, shares{1e-12, 1};
+constexpr Range samplings{1e-4, 0.5}, screenings{0.5, 20}, tolerances{1e-14, 0.1}, residuals{1e-14, 1e3}, shares{1e-12, 1};
 constexpr int most_nodes = 5;
 
 Stretch read_stretch(const YamlNode& node, Diagnostics& say) {
@@ -110,10 +110,17 @@ Plates read_plates(const YamlNode& node, Diagnostics& say) {
   return spec;
 }
 
+/// Which ends are tied is found when the fabric is compiled.
+Knots read_knots(const YamlNode& node, Diagnostics& say) {
+  Knots spec;
+  Settings(node, "knots", {"stiffness"}, say).quantity("stiffness", dimensions::spring, {1e-6, 1e9}, spec.stiffness);
+  return spec;
+}
+
 QuasiStatic read_quasi_static(const YamlNode& node, Diagnostics& say) {
   QuasiStatic spec;
   const Settings settings(node, "quasi_static", {"tolerance", "iterations", "first_step", "smallest_step"}, say);
-  settings.quantity("tolerance", dimensions::ratio, tolerances, spec.tolerance);
+  settings.quantity("tolerance", dimensions::ratio, residuals, spec.tolerance);
   settings.count("iterations", 1, 1'000'000, spec.iterations);
   settings.quantity("first_step", dimensions::ratio, {0, 1}, spec.first_step);
   settings.quantity("smallest_step", dimensions::ratio, shares, spec.smallest_step);
@@ -143,7 +150,7 @@ constexpr EffectReader effect_readers[] = {
     {"stretch", as_effect<read_stretch>}, {"bend", as_effect<read_bend>},
     {"gravity", as_effect<read_gravity>}, {"drag", as_effect<read_drag>},
     {"contact", as_effect<read_contact>}, {"contact_damping", as_effect<read_contact_damping>},
-    {"plates", as_effect<read_plates>},
+    {"plates", as_effect<read_plates>},   {"knots", as_effect<read_knots>},
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ class StageReader {
   StageReader(const YamlNode& node, Stage common, Diagnostics& say)
       : node_(node),
         fields_(node, "a stage",
-                {"name", "duration", "samples", "tighten", "hold", "pull", "grip_stiffness", "effects", "solver"}, say),
+                {"name", "duration", "samples", "tighten", "hold", "mount", "pull", "grip_stiffness", "effects", "solver"}, say),
         stage_(std::move(common)),
         say_(say) {}
 
@@ -39,6 +39,10 @@ class StageReader {
     if (const YamlNode* hold = fields_.find("hold")) {
       const auto word = read_word(*hold, "\"hold\"", {"none", "ends"}, say_);
       stage_.hold = word.value_or(0) == 1 ? Hold::ends : Hold::none;
+    }
+    if (const YamlNode* mount = fields_.find("mount")) {
+      const auto word = read_word(*mount, "\"mount\"", {"wale", "course"}, say_);
+      stage_.mount = word.value_or(0) == 0 ? Along::wale : Along::course;
     }
     if (const YamlNode* pull = fields_.find("pull")) read_pull(*pull);
     if (const YamlNode* grip = fields_.find("grip_stiffness")) {
@@ -80,7 +84,7 @@ class StageReader {
                  "add `effects: {stretch: , bend: , contact: }` to the scene: what is not named is not simulated");
     }
     if (!stage_.pull) return;
-    for (const std::string_view key : {"tighten", "hold"}) {
+    for (const std::string_view key : {"tighten", "hold", "mount"}) {
       const YamlNode* given = fields_.find(key);
       if (!given || given->text == "none") continue;
       say_.error("S004", given->span, fmt::format("a stage cannot pull and \"{}\" at once", key),

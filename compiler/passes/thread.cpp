@@ -11,10 +11,18 @@ namespace {
 
 using Point = CurvePiece::Point;
 
-constexpr double chain_radius = 1.25;     // of the cast-on and bind-off spirals, in diameters
+constexpr double chain_radius = 1.3;      // of the cast-on and bind-off spirals, in diameters
 constexpr double tightest = 0.98;         // a stitch drawn is at least so much longer than the stitch asked for
-constexpr double selvedge_shrink = 0.7;   // drawn in a wide half circle, knitted it goes straight up to the next course
-constexpr double outside_of_tube = 2.4;   // how far a tube's last join passes in front of the loop beside it, diameters
+// Beyond what the stitches shrink: joins are drawn in wide half circles and knitted straight, and a chain pulled tight
+// keeps the heads that it holds from turning over.
+constexpr double join_shrink = 0.7;
+constexpr double chain_shrink = 0.9;
+constexpr double tube_a = -0.2;
+constexpr double tube_y = 0.01;
+constexpr double tube_b = 0.01;
+constexpr double tube_r = 2.01;
+constexpr double tube_s = 2.01;
+constexpr double tube_t = 2.01;
 
 /// Draws a layout as one yarn in the strip: cast-on spiral, courses in knitting order joined at the sides, bind-off
 /// spiral. A tube's courses follow each other in x without end.
@@ -91,6 +99,7 @@ class Drawing {
   void bridge(const Point& from, const Point& to, double reach_from, double reach_to, int material) {
     const Point a{from.y, reach_from * from.dy.normalized()}, b{to.y, reach_to * to.dy.normalized()};
     add([a, b](double u) { return hermite(a, b, u); }, material);
+    pieces_.back().shrink = join_shrink;
   }
 
   Point start_of(int course) const {
@@ -104,28 +113,28 @@ class Drawing {
     const Point to = start_of(course);
     const double reach = 2 * (to.y - end().y).norm();
     bridge(end(), to, reach, reach, at(course, forward(course) ? 0 : layout_.wales - 1).material);
-    pieces_.back().shrink = selvedge_shrink;
   }
 
-  /// A spiral in the strip, round the sinkers below `course` or the heads above it, from one x to another.
-  void chain(int course, const ChainSize& size, double from, double to) {
-    const int wales = std::max(1, static_cast<int>(std::lround(std::abs(to - from) / size_.wale())));
-    const double width = (to - from) / wales;
-    for (int k = 0; k < wales; ++k) {
+  /// A spiral in the strip, round the sinkers below `course` or the heads above it, from one x to another; `ahead` is how
+  /// far the strip has gone on since it drew that course.
+  void chain(int course, const ChainSize& size, double from, double to, double ahead) {
+    const double wale = size_.wale(), first = centre_x(course, 0) + ahead;
+    const std::vector<int> row = row_signs(course);
+    const int last = layout_.wales - 1, turns = std::max(1, static_cast<int>(std::lround(std::abs(to - from) / wale)));
+    const double width = (to - from) / turns;
+    for (int k = 0; k < turns; ++k) {
       const double begin = from + k * width;
+      const int middle = static_cast<int>(std::lround((begin + width / 2 - first) / wale));
       add(
-          [=, this_row = row_signs(course), loops = size_, first = centre_x(course, 0)](double u) {
+          [=, loops = size_](double u) {
             const double x = begin + u * width;
-            const int last = static_cast<int>(this_row.size()) - 1;
-            const int wale = static_cast<int>(std::lround((x - first) / loops.wale()));
-            const auto sign = [&](int i) { return this_row[static_cast<std::size_t>(std::clamp(i, 0, last))]; };
-            const Curve3 c = chain_point(size, loops, sign(wale - 1), sign(wale), sign(wale + 1),
-                                         first + wale * loops.wale(), x);
+            const int here = static_cast<int>(std::lround((x - first) / wale));
+            const auto sign = [&](int i) { return row[static_cast<std::size_t>(std::clamp(i, 0, last))]; };
+            const Curve3 c = chain_point(size, loops, sign(here - 1), sign(here), sign(here + 1), first + here * wale, x);
             return Point{c.y, width * c.dy};
           },
-          edge_material(at(course, std::clamp(static_cast<int>(std::lround((begin + width / 2 - centre_x(course, 0)) / size_.wale())),
-                                0, layout_.wales - 1))
-              .material));
+          edge_material(at(course, std::clamp(middle, 0, last)).material));
+      pieces_.back().shrink = chain_shrink;
     }
   }
 
@@ -143,33 +152,33 @@ class Drawing {
     const int h = heading(0);
     const double near = centre_x(0, forward(0) ? 0 : layout_.wales - 1);
     const double far = centre_x(0, forward(0) ? layout_.wales - 1 : 0);
-    chain(0, {chain_, -size_.y, false}, far, near);
+    chain(0, {chain_, -size_.y, false}, far, near, 0);
     const Point start = start_of(0);
     const Point turn{start.y + Vec3(0, -1.7 * chain_, 0), Vec3(-h, 0, 0)};
     bridge(end(), turn, 2 * size_.x, 2 * size_.x, pieces_.back().material);
   }
 
-  /// Back over the last course.
+  /// Back over the last course of a flat fabric; on in the round over that of a tube, which lies one course lower there.
   void bind_off() {
-    const int last = layout_.courses - 1, h = heading(last);
-    const double side = 2 * size_.x * h;
-    const double near = centre_x(last, forward(last) ? layout_.wales - 1 : 0) + side;
-    const double far = centre_x(last, forward(last) ? 0 : layout_.wales - 1) - side;
+    const int last = layout_.courses - 1, h = heading(last), material = pieces_.back().material;
+    const double near = centre_x(last, forward(last) ? layout_.wales - 1 : 0) + 2 * size_.x * h;
+    const double row = level(last) + size_.y - (tube() ? size_.pitch : 0), round = h * layout_.wales * size_.wale();
     const std::size_t joint = pieces_.size();
     const Point from = end();
-    const int material = pieces_.back().material;
-    chain(last, {chain_, level(last) + size_.y, true}, near, far);
-    const Point to = pieces_[joint].at(0);
+    if (tube())
+      chain(last, {chain_, row, true}, near, near + round, round);
+    else
+      chain(last, {chain_, row, true}, near, near - round, 0);
     std::vector<CurvePiece> spiral(pieces_.begin() + static_cast<std::ptrdiff_t>(joint), pieces_.end());
     pieces_.resize(joint);
+    const Point to = spiral.front().at(0);
     if (tube()) {
-      const Point outside{(from.y + to.y) / 2 + Vec3(h * diameter_, 0, outside_of_tube * diameter_), Vec3(0, 1, 0)};
-      const double reach = (to.y - from.y).norm();
-      bridge(from, outside, reach, reach, material);
-      bridge(end(), to, reach, reach, material);
+      const double aside = (at(last, forward(last) ? 0 : layout_.wales - 1).sign - at(last, forward(last) ? layout_.wales - 1 : 0).sign) / 2.0;
+      const Point between{(from.y + to.y) / 2 + Vec3(tube_a * h * diameter_, tube_y * diameter_, tube_b * aside * diameter_), Vec3(0, 1, 0)};
+      bridge(from, between, tube_r * diameter_, tube_s * diameter_, material);
+      bridge(between, to, tube_s * diameter_, tube_t * diameter_, material);
     } else {
-      const double reach = 2 * size_.pitch;
-      bridge(from, to, reach, reach, material);
+      bridge(from, to, 2 * size_.pitch, 2 * size_.pitch, material);
     }
     pieces_.insert(pieces_.end(), spiral.begin(), spiral.end());
   }
