@@ -17,12 +17,14 @@ constexpr double tightest = 0.98;         // a stitch drawn is at least so much 
 // keeps the heads that it holds from turning over.
 constexpr double join_shrink = 0.7;
 constexpr double chain_shrink = 0.9;
-constexpr double tube_a = -0.2;
-constexpr double tube_y = 0.01;
-constexpr double tube_b = 0.01;
-constexpr double tube_r = 2.01;
-constexpr double tube_s = 2.01;
-constexpr double tube_t = 2.01;
+
+/// How a tube's yarn rises from the foot of its last loop into the bind-off, between that loop and the next one; found by
+/// search for the most room. In diameters.
+struct Rise {
+  double ahead = 0.26, up = -1.19;  ///< of the middle between foot and spiral
+  double aside = 0.4;               ///< away from the leg and the head on either side, if these lie on one side
+  double leave = 2.3, middle = 4.05, arrive = 0.5;  ///< lengths of the tangents
+};
 
 /// Draws a layout as one yarn in the strip: cast-on spiral, courses in knitting order joined at the sides, bind-off
 /// spiral. A tube's courses follow each other in x without end.
@@ -172,15 +174,21 @@ class Drawing {
     std::vector<CurvePiece> spiral(pieces_.begin() + static_cast<std::ptrdiff_t>(joint), pieces_.end());
     pieces_.resize(joint);
     const Point to = spiral.front().at(0);
-    if (tube()) {
-      const double aside = (at(last, forward(last) ? 0 : layout_.wales - 1).sign - at(last, forward(last) ? layout_.wales - 1 : 0).sign) / 2.0;
-      const Point between{(from.y + to.y) / 2 + Vec3(tube_a * h * diameter_, tube_y * diameter_, tube_b * aside * diameter_), Vec3(0, 1, 0)};
-      bridge(from, between, tube_r * diameter_, tube_s * diameter_, material);
-      bridge(between, to, tube_s * diameter_, tube_t * diameter_, material);
-    } else {
+    if (tube())
+      rise(from, to, last);
+    else
       bridge(from, to, 2 * size_.pitch, 2 * size_.pitch, material);
-    }
     pieces_.insert(pieces_.end(), spiral.begin(), spiral.end());
+  }
+
+  void rise(const Point& from, const Point& to, int course) {
+    constexpr Rise by;
+    const int first_wale = forward(course) ? 0 : layout_.wales - 1, last_wale = layout_.wales - 1 - first_wale;
+    const PlacedLoop &leg_of = at(course, last_wale), &head_of = at(course, first_wale);
+    const double aside = by.aside * (leg_of.sign - head_of.sign) / 2;
+    const Point between{(from.y + to.y) / 2 + diameter_ * Vec3(by.ahead * heading(course), by.up, aside), Vec3::UnitY()};
+    bridge(from, between, by.leave * diameter_, by.middle * diameter_, leg_of.material);
+    bridge(between, to, by.middle * diameter_, by.arrive * diameter_, leg_of.material);
   }
 
   const Layout& layout_;
