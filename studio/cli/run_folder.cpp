@@ -1,7 +1,5 @@
 #include "studio/cli/run_folder.hpp"
 
-#include <algorithm>
-
 #include "sim/results/csv.hpp"
 #include "sim/results/file.hpp"
 #include "sim/results/hdf5.hpp"
@@ -22,20 +20,19 @@ void write_fabric(const Results& results, const Snapshot& snapshot, ColourBy col
   write_file(path.string(), fabric_svg(scene.fabric, snapshot.state.q, options));
 }
 
-/// The last state before the first pull, and the last state of that; null if there is none.
+/// The state that the first mount or pull begins from, and the last state of a pull; null if there is none.
 struct Shown {
   const Snapshot *relaxed = nullptr, *pulled = nullptr;
 };
 
 Shown shown(const Results& results) {
-  const std::vector<Stage>& stages = results.scene.stages;
-  const auto pull =
-      std::find_if(stages.begin(), stages.end(), [](const Stage& stage) { return stage.pull.has_value(); });
-  const int first_pull = static_cast<int>(pull - stages.begin());
   Shown found;
+  bool gripped = false;
   for (const Snapshot& snapshot : results.snapshots) {
-    if (snapshot.stage < first_pull) found.relaxed = &snapshot;
-    if (snapshot.stage == first_pull && snapshot.sample != 0) found.pulled = &snapshot;
+    const Stage& stage = results.scene.stages[static_cast<std::size_t>(snapshot.stage)];
+    if (!gripped) found.relaxed = &snapshot;
+    gripped = gripped || stage.mount || stage.pull;
+    if (stage.pull && snapshot.sample != 0) found.pulled = &snapshot;
   }
   return found;
 }

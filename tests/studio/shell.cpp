@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
   constexpr int flags = O_CREAT | O_WRONLY | O_TRUNC;
   ::dup2(::open(out.c_str(), flags, 0600), STDOUT_FILENO);
   ::dup2(::open(err.c_str(), flags, 0600), STDERR_FILENO);
+  ::setenv("OMP_NUM_THREADS", "1", 1);  // tests run side by side already
   std::vector<char*> words{const_cast<char*>(WALE_COMMAND)};
   for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
