@@ -8,7 +8,7 @@
 namespace wale {
 namespace {
 
-constexpr double blend_width = 0.38;  // of a wale, on either side of the middle between two
+constexpr double blend_width = 0.4;  // of a wale, on either side of the middle between two; see ArcLength for its steps
 
 /// Depth of the row that the spiral goes round: -s, blended from wale to wale; in λz, derivative by wales.
 Smooth row_depth(int left, int here, int right, double from_centre) {

@@ -9,7 +9,7 @@ namespace wale {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double blend_width = 0.4;  // in w, on either side of the middle of a sinker
+constexpr double blend_width = 0.4;  // in w, on either side of the middle of a sinker; see ArcLength for its steps
 constexpr double phase_shift = 0.2;  // in half waves, towards the leg's middle
 
 /// Where the loop above has the same sign, the paper's form; where not, three half waves instead of two from head to

@@ -213,14 +213,21 @@ double jersey_length(const LoopSize& size) {
   return length;
 }
 
+/// Rest lengths only shrink afterwards: a fabric looser than the loose loops is drawn larger. Depth does not grow, so
+/// length grows a little less than size.
+LoopSize large_enough(double diameter, double longest_stitch) {
+  double enlarge = 1;
+  for (int k = 0; k < 20; ++k)
+    enlarge = std::max(1.0, enlarge * longest_stitch / (tightest * jersey_length(loose_loops(diameter, enlarge))));
+  return loose_loops(diameter, enlarge);
+}
+
 }  // namespace
 
 std::optional<Curves> thread(const Layout& layout, const Chart& chart, Diagnostics&) {
   double diameter = 0;
   for (const ChartYarn& yarn : chart.yarns) diameter = std::max(diameter, yarn.material.diameter);
-  // Rest lengths only shrink afterwards: a fabric looser than the loose loops is drawn larger.
-  const double enlarge = std::max(1.0, longest_stitch(layout) / (tightest * jersey_length(loose_loops(diameter, 1))));
-  const LoopSize size = loose_loops(diameter, enlarge);
+  const LoopSize size = large_enough(diameter, longest_stitch(layout));
 
   const double round = size.wale() * layout.wales;
   const Strip strip{layout.form == Form::tube, round / (2 * std::numbers::pi),

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "compiler/compile.hpp"
+
+namespace wale {
+namespace {
+
+std::optional<Scene> first_stitch(Sources& sources, Diagnostics& say) {
+  const Source* source = sources.read(std::string(WALE_SOURCE_DIR) + "/examples/01_first_stitch/scene.yaml");
+  return source ? compile_scene(*source, sources, say) : std::nullopt;
+}
+
+TEST(CompileScene, MakesTheFirstExampleReadyToRun) {
+  Sources sources;
+  Diagnostics say;
+  const auto scene = first_stitch(sources, say);
+  ASSERT_TRUE(scene);
+  EXPECT_FALSE(say.failed());
+  const int stitches = 12 * 13 * 12;
+  EXPECT_GT(scene->fabric.segment_count(), stitches);
+  EXPECT_LT(scene->fabric.segment_count(), stitches * 4 / 3);
+  EXPECT_EQ(scene->fabric.points.cols(), scene->fabric.segment_count() + 3);
+  EXPECT_EQ(scene->crossings.size(), 2U * 11 * 12);
+  EXPECT_EQ(scene->gauge.wales, 12);
+  EXPECT_EQ(scene->gauge.courses, 13);
+  EXPECT_DOUBLE_EQ(scene->gauge.thickness, 1.048e-3);
+  EXPECT_FALSE(scene->stages.empty());
+}
+
+TEST(CompileScene, GripsBothEndsEitherWay) {
+  Sources sources;
+  Diagnostics say;
+  const auto scene = first_stitch(sources, say);
+  ASSERT_TRUE(scene);
+  for (const auto& ends : {scene->gauge.wale_ends, scene->gauge.course_ends})
+    for (const auto& end : ends) {
+      EXPECT_FALSE(end.empty());
+      for (const int segment : end) EXPECT_TRUE(segment >= 0 && segment < scene->fabric.segment_count());
+    }
+}
+
+TEST(CompileScene, TiesBothYarnEndsToStitchesNearby) {
+  Sources sources;
+  Diagnostics say;
+  const auto scene = first_stitch(sources, say);
+  ASSERT_TRUE(scene);
+  for (const Stage& stage : scene->stages)
+    for (const EffectSpec& effect : stage.effects)
+      if (const Knots* knots = std::get_if<Knots>(&effect)) {
+        ASSERT_EQ(knots->knots.size(), 2U) << stage.name;
+        EXPECT_EQ(knots->knots[0].segment_a, 0);
+        EXPECT_EQ(knots->knots[1].segment_a, scene->fabric.segment_count() - 1);
+        for (const Knot& knot : knots->knots) EXPECT_GE(scene->fabric.segment(knot.segment_b).stitch, 0);
+        return;
+      }
+  FAIL() << "the example has no knots";
+}
+
+TEST(CompileScene, TakesTwoDiametersForTheThicknessThatNobodyGave) {
+  Sources sources;
+  Diagnostics say;
+  const std::string text = R"(scene: 1
+name: no gauge
+fabric: {pattern: patterns/jersey.yaml, wales: 4, courses: 3, stitch_length: 7.23 mm}
+effects: {stretch: , bend: }
+stages:
+  - {name: relax, duration: 1 s, samples: 1}
+solver: {quasi_static: {}}
+)";
+  const auto scene = compile_scene(*sources.add(std::string(WALE_SOURCE_DIR) + "/scene.yaml", text), sources, say);
+  for (const Diagnostic& one : say.all()) EXPECT_NE(one.severity, Severity::error) << print(one);
+  ASSERT_TRUE(scene);
+  EXPECT_DOUBLE_EQ(scene->gauge.thickness, 2 * Material{}.diameter);
+}
+
+TEST(CompileScene, SaysWhatIsWrongAndGivesNothing) {
+  Sources sources;
+  Diagnostics say;
+  EXPECT_FALSE(compile_scene(*sources.add("scene.yaml", "scene: 1\nfabric: {pattern: nowhere.yaml}\n"), sources, say));
+  EXPECT_TRUE(say.failed());
+}
+
+}  // namespace
+}  // namespace wale
