@@ -85,7 +85,7 @@ struct QuasiStatic {
   double tolerance = 0.02;      ///< largest residual force on a control point, over the yarn's bending force EI/d²
   int iterations = 200;         ///< a load step that needs more is halved
   double first_step = 0;        ///< share of the stage; 0: from sample to sample
-  double smallest_step = 1e-5;  ///< share of the stage: below this the solve has failed
+  double smallest_step = 1e-3;  ///< share of the stage: below this the solve has failed
 };
 using SolverSpec = std::variant<QuasiStatic, RungeKutta>;
 

@@ -62,7 +62,7 @@ class AlongYarn final : public Effect {
     const int count = static_cast<int>(segments_.size());
     std::vector<Local> locals(static_cast<std::size_t>(count));
     std::vector<LocalSecond> seconds(out.stiffness || out.damping ? static_cast<std::size_t>(count) : 0);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count > few)
     for (int i = 0; i < count; ++i)
       integrate(at, i, out.convex, locals[static_cast<std::size_t>(i)],
                 seconds.empty() ? nullptr : &seconds[static_cast<std::size_t>(i)]);
@@ -70,6 +70,7 @@ class AlongYarn final : public Effect {
   }
 
  private:
+  static constexpr int few = 64;  // segments for which threads cost more than they save
   struct Local {
     double energy = 0, dissipation = 0;
     Eigen::Matrix<double, 3, 4> force = Eigen::Matrix<double, 3, 4>::Zero();

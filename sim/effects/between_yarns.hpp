@@ -50,7 +50,7 @@ class BetweenYarns final : public Effect {
     const auto& pairs = beads_->pairs();
     const bool second = L::elastic ? out.stiffness : out.damping;
     std::vector<Local> locals(pairs.size());
-#pragma omp parallel for schedule(dynamic, 128)
+#pragma omp parallel for schedule(dynamic, 128) if (pairs.size() > few)
     for (std::size_t p = 0; p < pairs.size(); ++p) touch_all(at, pairs[p], second, out.convex, locals[p]);
     if (second) make_room(L::elastic ? *out.stiffness : *out.damping);
     for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -65,6 +65,7 @@ class BetweenYarns final : public Effect {
   }
 
  private:
+  static constexpr std::size_t few = 256;  // pairs for which threads cost more than they save
   using Quad = Eigen::Matrix<double, 3, 4>;
   /// Blocks (j, k), j <= k, of the eight control points of a pair, row by row.
   using Blocks = std::array<Mat3, 36>;

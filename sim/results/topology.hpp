@@ -5,8 +5,8 @@
 
 namespace wale {
 
-/// Counts the demanded crossings that a state has: the side of a loop crosses the loop that it was pulled through twice,
-/// both times with `Crossing::sign`, seen along that loop's area vector; so it may be asked in any pose.
+/// Counts the demanded crossings that a state has: over all directions of view, the side of a loop crosses the loop that
+/// it was pulled through twice, both times with `Crossing::sign`, rather than not at all. It may be asked in any pose.
 Topology check_crossings(const Fabric&, const std::vector<Crossing>&, const Points& q);
 
 /// The state with fewer crossings found: how the topology of a whole run is gathered. A count of none demanded

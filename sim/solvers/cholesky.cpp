@@ -5,6 +5,8 @@
 #include <cstring>
 #include <new>
 
+extern "C" void openblas_set_num_threads(int);
+
 namespace wale {
 
 struct Cholesky::Work {
@@ -15,6 +17,8 @@ struct Cholesky::Work {
 
   Work() {
     cholmod_start(&common);
+    // The dense blocks of a swatch are too small to share among threads, and one thread gives the same bits always.
+    openblas_set_num_threads(1);
     common.print = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.error_handler = nullptr;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 namespace wale {
@@ -11,6 +9,9 @@ namespace {
 
 constexpr double furthest_move = 0.3;   // of the diameter, in one iteration
 constexpr double share_of_gap = 0.45;   // two yarns that each move this share of their gap still do not meet
+// Of the diameter. Beads stand about 0.4 d apart: two yarns whose beads come much nearer than half of that diagonal could
+// pass between them unseen.
+constexpr double least_gap = 0.3;
 // A point pulled by the largest residual and held only by the shift would move so many reaches.
 constexpr double reaches_when_free = 5;
 constexpr int most_inner = 60;          // conjugate-gradient steps
@@ -100,14 +101,12 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) const {
     along = z + next / rz * along;
     rz = next;
   }
-  if (std::getenv("WALE_TALK")) std::fprintf(stderr, "[%d]", n);
   step.promised = move.dot(force.reshaped()) - move.dot(bent) / 2;
   step.move = std::move(move);
   return step;
 }
 
 Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int iterations, Effort& effort) {
-  const bool talk = std::getenv("WALE_TALK");
   Points force;
   double energy = evaluate(state, &force, effort);
   if (!std::isfinite(energy)) return Answer::gave_up;
@@ -125,16 +124,14 @@ Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int itera
     State trial = state;
     trial.q += step.move.reshaped(3, step.move.size() / 3);
     Points trial_force;
-    const double before = world_.closest();
+    const double gap = world_.closest();
     const double trial_energy = evaluate(trial, &trial_force, effort);
+    const bool apart = world_.closest() >= std::min(gap, least_gap);
     const double gain = (energy - trial_energy) / step.promised;
     const double length = furthest(step.move);
-    if (talk)
-      std::fprintf(stderr, "  %3d E %.9e res %.3e rms %.1e move %.2e shift %.2e lim %d gain %.3f gap %.3f\n", i, energy, residual_,
-                   force.norm()/std::sqrt(force.cols()), length, shift_, step.limited, gain, before);
     // Below the rounding of the energy only the force can tell.
     const bool drowned = step.promised < 1e-12 * std::abs(energy);
-    const bool good = std::isfinite(trial_energy) && (drowned ? furthest(trial_force.reshaped()) < residual_ : gain > 1e-3);
+    const bool good = apart && std::isfinite(trial_energy) && (drowned ? furthest(trial_force.reshaped()) < residual_ : gain > 1e-3);
     if (good) {
       state = std::move(trial);
       force = std::move(trial_force);
