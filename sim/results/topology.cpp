@@ -23,14 +23,14 @@ std::array<Vec3, view_count> spread_views() {
   return views;
 }
 
-/// Seen from anywhere, a side that is pulled through a loop crosses it twice in the same sense, but where some other
-/// part of the two happens to lie in front. Tearing it out takes away two crossings in every view. So the mean over
-/// all views (twice Gauss's linking integral of the two pieces) is near 2 or near 0.
+/// Seen from anywhere, a side that is pulled through a loop crosses it twice in the same sense, unless an end of one
+/// lies in front of the other; the mean over all views, twice Gauss's linking integral of the two pieces, is between 0
+/// and 2. Tearing it out takes two crossings away in every view, which leaves less than 0.
 bool holds(const Points& side, const Points& loop, int sign) {
   static const std::array<Vec3, view_count> views = spread_views();
   int sum = 0;
   for (const Vec3& view : views) sum += net_crossing(side, loop, view);
-  return sum * sign >= view_count;
+  return sum * sign > 0;
 }
 
 }  // namespace
