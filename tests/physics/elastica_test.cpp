@@ -48,7 +48,7 @@ Tip cantilever(int segments, double load, double weight, int stretch_nodes) {
   World world(fabric, {Stretch{stretch_nodes}, Bend{}, Gravity{{0, 0, -g}}}, 0.0, at_rest(fabric),
               {{.yarn = 0, .direction = true}});
   world.add(std::make_unique<EndLoad>(fabric, Vec3(0, 0, -load)));
-  const auto solver = make(QuasiStatic{.tolerance = 1e-5, .iterations = 1000}, world, at_rest(fabric));
+  const auto solver = make(QuasiStatic{.tolerance = 1e-7, .iterations = 1000}, world, at_rest(fabric));
   while (solver->advance(1) == Progress::stepped) continue;
   EXPECT_EQ(solver->state().t, 1) << solver->effort().failure;
   const Vec3 end = combine(solver->state().q, segments - 1, basis(1).value);
