@@ -92,6 +92,7 @@ class Run {
   /// Each sample starts from nothing but its state, so that a resumed run does as an uninterrupted one.
   Outcome until(int index, const StageSetup& setup, double t, State& state) {
     const auto world = setup.world();
+    world->heed(options_.interrupt);
     const auto solver = std::visit([&](const auto& spec) { return make(timed(spec, stage_at(index).duration), *world, state); },
                                    stage_at(index).solver);
     Outcome outcome = Outcome::finished;

@@ -1,6 +1,7 @@
 /// A fabric and all that acts on it in one stage.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -28,6 +29,10 @@ class World {
   /// q'' = M⁻¹ (force), under the constraints, m/s².
   void accelerate(const State&, Points& acceleration);
 
+  /// A solver looks here within a step, and gives the step up when it is set. May be null; must outlive the world.
+  void heed(const std::atomic<bool>* interrupt) { interrupt_ = interrupt; }
+  bool interrupted() const { return interrupt_ && interrupt_->load(); }
+
   const Fabric& fabric() const { return fabric_; }
   const Mass& mass() const { return mass_; }
   const Constraints& constraints() const { return constraints_; }
@@ -44,6 +49,7 @@ class World {
   Mass mass_;
   Constraints constraints_;
   std::vector<std::unique_ptr<Effect>> effects_;
+  const std::atomic<bool>* interrupt_ = nullptr;
 };
 
 /// The start of a run: control points as the compiler laid them, at rest.

@@ -115,6 +115,7 @@ Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int itera
   for (int i = 0; i < iterations; ++i) {
     residual_ = furthest(force.reshaped());
     if (residual_ < tolerance) return Answer::found;
+    if (world_.interrupted()) return Answer::gave_up;
     if (!factored) {
       shift_ = residual_ / (reaches_when_free * safe_move());
       if (!factor(state, effort)) return Answer::gave_up;

@@ -13,7 +13,7 @@ namespace {
 class QuasiStaticSolver final : public Solver {
  public:
   QuasiStaticSolver(const QuasiStatic& spec, World& world, State start)
-      : spec_(spec), equilibrium_(world), state_(std::move(start)), before_(state_) {
+      : spec_(spec), world_(world), equilibrium_(world), state_(std::move(start)), before_(state_) {
     const Material& yarn = world.fabric().materials.front();
     tolerance_ = spec.tolerance * yarn.bending_rigidity / (yarn.diameter * yarn.diameter);
     world.prepare(state_);
@@ -26,6 +26,7 @@ class QuasiStaticSolver final : public Solver {
       State next = guess(target);
       if (equilibrium_.relax(next, tolerance_, spec_.iterations, effort_) == Equilibrium::Answer::found)
         return accept(std::move(next), until);
+      if (world_.interrupted()) return Progress::stepped;
       ++effort_.rejected;
       state_.step = (target - state_.t) / 2;
       if (state_.step < spec_.smallest_step) return fail();
@@ -73,6 +74,7 @@ class QuasiStaticSolver final : public Solver {
   }
 
   QuasiStatic spec_;
+  const World& world_;
   Equilibrium equilibrium_;
   State state_, before_;
   double tolerance_;  // N
