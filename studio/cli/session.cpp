@@ -14,7 +14,6 @@
 #include "studio/cli/input.hpp"
 #include "studio/cli/report.hpp"
 
-extern "C" void openblas_set_num_threads(int);
 
 namespace wale {
 namespace {
@@ -42,7 +41,6 @@ bool same_fabric(const Fabric& a, const Fabric& b) {
 
 void use_threads(int count) {
   if (count > 0) omp_set_num_threads(count);
-  if (count > 0) openblas_set_num_threads(count);
 }
 
 double seconds_of(const std::function<void()>& work) {
