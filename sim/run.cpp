@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/effects/beads.hpp"
+#include "sim/mount.hpp"
 #include "sim/results/curves.hpp"
 #include "sim/results/topology.hpp"
 #include "sim/stage.hpp"
@@ -37,6 +38,8 @@ class Run {
   }
 
  private:
+  static bool grips(const Stage& stage) { return stage.mount || stage.pull; }
+
   const Stage& stage_at(int index) const { return results_.scene.stages[static_cast<std::size_t>(index)]; }
 
   /// The state that a stage starts from, as its snapshot 0.
@@ -46,7 +49,9 @@ class Run {
     state.v.setZero();
     results_.snapshots.push_back({stage, 0, std::move(state)});
     const Stage& of = stage_at(stage);
-    if (of.pull) results_.relaxed = measure(results_.scene.fabric, results_.scene.gauge, results_.snapshots.back().state.q);
+    // Once gripped a fabric no longer lies as it relaxed.
+    const bool gripped_before = stage > 0 && grips(stage_at(stage - 1));
+    if (grips(of) && !gripped_before) results_.relaxed = measure(results_.scene.fabric, results_.scene.gauge, results_.snapshots.back().state.q);
     const StageSetup setup(results_.scene, of, start_of(stage), tightened_before(stage), results_.relaxed);
     record(stage, setup, start_of(stage));
   }
@@ -73,10 +78,11 @@ class Run {
   Outcome one(int index) {
     const Stage& stage = stage_at(index);
     const State start = start_of(index);
-    const StageSetup setup(results_.scene, stage, start, tightened_before(index), results_.relaxed);
     State state = results_.snapshots.back().state;
     if (results_.snapshots.back().sample < 0) results_.snapshots.pop_back();
     for (int sample = samples_done(index) + 1; sample <= stage.samples; ++sample) {
+      const StageSetup setup(results_.scene, stage, start, tightened_before(index), results_.relaxed,
+                             stage.mount ? travels_to(index) : std::vector<double>{0});
       const auto begun = std::chrono::steady_clock::now();
       const Outcome outcome = until(index, setup, stage.duration * sample / stage.samples, state);
       spend(stage.name, begun);
@@ -87,6 +93,24 @@ class Run {
       if (options_.save) options_.save(results_);
     }
     return Outcome::finished;
+  }
+
+  /// How far apart the grips of a mount have stood at each sample so far, and where they go for the next one.
+  std::vector<double> travels_to(int index) const {
+    const StageSetup closed(results_.scene, stage_at(index), start_of(index), 0, results_.relaxed);
+    const Table& table = results_.samples;
+    std::vector<double> travels{0};
+    std::vector<Mounted> tried;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      if (table.find("stage")->values[row] != index) continue;
+      const double travel = table.find("travel")->values[row];
+      // The first row is of grips that have only just closed, and read nothing.
+      if (table.find("t")->values[row] == 0) continue;
+      travels.push_back(travel);
+      tried.push_back({travel, table.find("force")->values[row]});
+    }
+    travels.push_back(next_travel(tried, closed.gauge_length()));
+    return travels;
   }
 
   /// Each sample starts from nothing but its state, so that a resumed run does as an uninterrupted one.

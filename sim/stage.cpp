@@ -19,6 +19,8 @@ double mean_shrinkage(const Fabric& fabric) {
   return knitted / laid;
 }
 
+Vec3 unit(Along along) { return along == Along::wale ? Vec3::UnitY() : Vec3::UnitX(); }
+
 }  // namespace
 
 Vec3 centre_of(const Fabric& fabric, const std::vector<int>& segments, const Points& q) {
@@ -28,7 +30,7 @@ Vec3 centre_of(const Fabric& fabric, const std::vector<int>& segments, const Poi
 }
 
 StageSetup::StageSetup(const Scene& scene, const Stage& stage, const State& start, double tightened,
-                       const Sizes& relaxed)
+                       const Sizes& relaxed, const std::vector<double>& travels)
     : scene_(scene),
       stage_(stage),
       start_(start),
@@ -36,7 +38,7 @@ StageSetup::StageSetup(const Scene& scene, const Stage& stage, const State& star
       tightening_(stage.tighten ? Schedule::ramp(tightened, *stage.tighten, stage.duration) : Schedule(tightened)),
       effects_(stage.effects) {
   if (stage.hold == Hold::ends) hold_ends();
-  if (stage.mount) mount_ends(*stage.mount);
+  if (stage.mount) mount_ends(travels);
   if (stage.pull) pull_ends();
 }
 
@@ -61,47 +63,48 @@ const std::array<std::vector<int>, 2>& StageSetup::ends(Along along) const {
   return along == Along::wale ? scene_.gauge.wale_ends : scene_.gauge.course_ends;
 }
 
-/// Held sideways the ends keep their shape, and the fabric between them comes to rest at the length where a tensile
-/// tester reads no force.
-void StageSetup::mount_ends(Along along) {
+void StageSetup::close_grips(Along along) {
+  const auto& grips = ends(along);
+  const Vec3 apart = centre_of(scene_.fabric, grips[1], start_.q) - centre_of(scene_.fabric, grips[0], start_.q);
+  gauge_length_ = apart.dot(unit(along));
+}
+
+void StageSetup::move_grips(Along along, Schedule travel) {
   for (std::size_t end = 0; end < 2; ++end) {
     Tether grip;
     grip.label = grip_labels[end];
     grip.segments = ends(along)[end];
     grip.stiffness = stage_.grip_stiffness;
-    grip.axes = along == Along::wale ? Vec3(1, 0, 1) : Vec3(0, 1, 1);
+    grip.move = (end == 0 ? -0.5 : 0.5) * unit(along);
+    grip.progress = travel;
     effects_.emplace_back(std::move(grip));
   }
+  travel_ = std::move(travel);
+}
+
+void StageSetup::mount_ends(const std::vector<double>& travels) {
+  std::vector<Schedule::Knot> knots;
+  for (std::size_t sample = 0; sample < travels.size(); ++sample)
+    knots.push_back({stage_.duration * static_cast<double>(sample) / stage_.samples, travels[sample]});
+  close_grips(*stage_.mount);
+  move_grips(*stage_.mount, Schedule(std::move(knots)));
 }
 
 void StageSetup::pull_ends() {
-  const auto& grips = ends(stage_.pull->along);
-  const Vec3 apart =
-      centre_of(scene_.fabric, grips[1], start_.q) - centre_of(scene_.fabric, grips[0], start_.q);
-  const Vec3 along = stage_.pull->along == Along::wale ? Vec3::UnitY() : Vec3::UnitX();
-  gauge_length_ = apart.dot(along);
-  for (std::size_t end = 0; end < 2; ++end) {
-    Tether grip;
-    grip.label = grip_labels[end];
-    grip.segments = grips[end];
-    grip.stiffness = stage_.grip_stiffness;
-    grip.move = (end == 0 ? -0.5 : 0.5) * stage_.pull->strain * gauge_length_ * along;
-    grip.progress = Schedule::ramp(0, 1, stage_.duration);
-    effects_.emplace_back(std::move(grip));
-  }
+  close_grips(stage_.pull->along);
+  move_grips(stage_.pull->along, Schedule::ramp(0, stage_.pull->strain * gauge_length_, stage_.duration));
 }
 
 std::unique_ptr<World> StageSetup::world() const {
   return std::make_unique<World>(scene_.fabric, effects_, tightening_, start_, scene_.clamps);
 }
 
-double StageSetup::strain(double t) const { return stage_.pull->strain * t / stage_.duration; }
-
 std::vector<Quantity> StageSetup::measure(World& world, const State& state) const {
   std::vector<Quantity> row{{"t", "s", state.t}};
   world.prepare(state);
   double grip_load[2] = {0, 0};
-  const Vec3 along = stage_.pull && stage_.pull->along == Along::course ? Vec3::UnitX() : Vec3::UnitY();
+  const std::optional<Along> gripped = stage_.pull ? std::optional(stage_.pull->along) : stage_.mount;
+  const Vec3 along = unit(gripped.value_or(Along::wale));
   for (const auto& effect : world.effects()) {
     double energy = 0;
     Points force = Points::Zero(3, state.q.cols());
@@ -113,13 +116,14 @@ std::vector<Quantity> StageSetup::measure(World& world, const State& state) cons
   }
   row.push_back({"energy.kinetic", "J", world.mass().kinetic_energy(state.v)});
   row.push_back({"closest", "1", world.closest()});
-  if (!stage_.pull) return row;
+  if (!gripped) return row;
   // The machine reads what the fabric pulls on the moving grip; the other grip must read the same at rest.
   const double force = (grip_load[1] - grip_load[0]) / 2;
-  const bool wale_wise = stage_.pull->along == Along::wale;
+  const bool wale_wise = *gripped == Along::wale;
   const double width = wale_wise ? relaxed_.width : relaxed_.length;
   const int columns = wale_wise ? scene_.gauge.wales : scene_.gauge.courses;
-  row.push_back({"strain", "1", strain(state.t)});
+  if (stage_.mount) row.push_back({"travel", "m", travel_(state.t)});
+  if (stage_.pull) row.push_back({"strain", "1", travel_(state.t) / gauge_length_});
   row.push_back({"force", "N", force});
   row.push_back({"force_per_wale", "N", force / columns});
   row.push_back({"stress", "Pa", force / (width * scene_.gauge.thickness)});

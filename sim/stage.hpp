@@ -12,20 +12,25 @@ namespace wale {
 /// A stage, standing at its start. Grips hold what lies in them there.
 class StageSetup {
  public:
-  /// `start` is the state at the stage's beginning, with t = 0; `tightened` is how far rest lengths have come before it.
-  StageSetup(const Scene&, const Stage&, const State& start, double tightened, const Sizes& relaxed);
+  /// `start` is the state at the stage's beginning, with t = 0; `tightened` is how far rest lengths have come before it;
+  /// `travels` are the distances, m, by which the grips of a mount stand further apart at each sample so far, from 0.
+  StageSetup(const Scene&, const Stage&, const State& start, double tightened, const Sizes& relaxed,
+             const std::vector<double>& travels = {0});
 
   /// A World to solve in; each call makes a new one, with the same answers.
   std::unique_ptr<World> world() const;
   /// What a row of the results' table says of a state.
   std::vector<Quantity> measure(World&, const State&) const;
+  /// Between the grips of a mount or a pull at the start, m.
+  double gauge_length() const { return gauge_length_; }
 
  private:
   void hold_ends();
-  void mount_ends(Along);
+  void mount_ends(const std::vector<double>& travels);
   void pull_ends();
+  void close_grips(Along);
+  void move_grips(Along, Schedule travel);
   const std::array<std::vector<int>, 2>& ends(Along) const;
-  double strain(double t) const;
 
   const Scene& scene_;
   const Stage& stage_;
@@ -33,7 +38,8 @@ class StageSetup {
   Sizes relaxed_;
   Schedule tightening_;
   std::vector<EffectSpec> effects_;
-  double gauge_length_ = 0;  // m between the grips at the start
+  double gauge_length_ = 0;  // m
+  Schedule travel_;          // m, by which the grips stand further apart than where they closed
 };
 
 /// The mean position of some segments, m.

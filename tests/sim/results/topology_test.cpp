@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "tests/sim/results/made_jersey.hpp"
 
@@ -33,6 +34,44 @@ TEST(Topology, MissesTheCrossingsOfACourseLiftedOut) {
   EXPECT_EQ(topology.expected, 16);
   EXPECT_EQ(topology.found, 8);
   EXPECT_FALSE(topology.intact());
+}
+
+/// Sides from head to head, as the compiler demands them, of the loops that have a neighbour there.
+std::vector<Crossing> head_to_head(const testing::MadeJersey& made, int per_loop) {
+  std::vector<Crossing> crossings;
+  const int segments = made.gauge.wales * per_loop;
+  for (int wale = 0; wale < made.gauge.wales; ++wale) {
+    const int below = wale * per_loop, above = segments + below, half = per_loop / 2;
+    if (wale > 0) crossings.push_back({above - half, above + half - 1, below, below + per_loop - 1, -1});
+    if (wale + 1 < made.gauge.wales)
+      crossings.push_back({above + half, above + per_loop + half - 1, below, below + per_loop - 1, +1});
+  }
+  return crossings;
+}
+
+TEST(Topology, FollowsYarnThatHasSlidThroughTheFabric) {
+  constexpr int per_loop = 12;
+  const testing::MadeJersey made = testing::made_jersey(7, 2, per_loop);
+  std::vector<Crossing> slid;
+  for (Crossing at : head_to_head(made, per_loop)) {
+    at.side_first += 5, at.side_last += 5, at.loop_first -= 3, at.loop_last -= 3;
+    if (at.loop_first >= 0 && at.side_last < made.fabric.segment_count()) slid.push_back(at);
+  }
+  ASSERT_GE(slid.size(), 8U);
+  EXPECT_TRUE(check_crossings(made.fabric, slid, made.fabric.points).intact());
+}
+
+TEST(Topology, MissesOneLoopPushedOutBetweenItsNeighbours) {
+  constexpr int per_loop = 12, pushed = 2;
+  const testing::MadeJersey made = testing::made_jersey(5, 2, per_loop);
+  Points torn = made.fabric.points;
+  const Yarn& top = made.fabric.yarns.back();
+  // Back out the way it came: through the loop below from the front to behind.
+  for (int i = 0; i <= per_loop; ++i)
+    torn(2, top.first_point + 1 + pushed * per_loop + i) -= 1.5e-3 * std::min({1.0, i / 2.0, (per_loop - i) / 2.0});
+  const std::vector<Crossing> crossings = head_to_head(made, per_loop);
+  EXPECT_TRUE(check_crossings(made.fabric, crossings, made.fabric.points).intact());
+  EXPECT_EQ(check_crossings(made.fabric, crossings, torn).found, static_cast<long>(crossings.size()) - 2);
 }
 
 TEST(Topology, OfARunIsThatOfItsWorstState) {
