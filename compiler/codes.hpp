@@ -75,6 +75,7 @@ inline constexpr auto front_codes = std::to_array<CodeInfo>({
      "- {name: tighten, duration: 1 s, tighten: 100 %, hold: ends}\n"
      "- {name: pull, duration: 8 s, pull: {along: course, to: 60 %}}"},
     {"S005", Severity::error, "nothing acts on the yarns in a stage", "effects: {stretch: , bend: , contact: }"},
+    {"S006", Severity::warning, "so few segments a stitch that the spline cuts corners", "segments_per_stitch: 12"},
 });
 
 /// All codes, the front's first.

@@ -23,7 +23,10 @@ RungeKutta timed(const RungeKutta& spec, double) { return spec; }
 /// Runs one scene into one Results, from wherever its snapshots end.
 class Run {
  public:
-  Run(Results& results, const RunOptions& options) : results_(results), options_(options) {}
+  Run(Results& results, const RunOptions& options)
+      : results_(results), options_(options), clasps_(results.scene.fabric, results.scene.crossings) {
+    for (const Snapshot& snapshot : results.snapshots) clasps_.follow(snapshot.state.q);
+  }
 
   Outcome all() {
     const int stages = static_cast<int>(results_.scene.stages.size());
@@ -123,6 +126,7 @@ class Run {
     while (true) {
       const Progress progress = solver->advance(t);
       state = solver->state();
+      if (progress == Progress::stepped) clasps_.follow(state.q);
       tell(index, state.t);
       if (progress == Progress::failed) outcome = Outcome::failed;
       if (progress != Progress::stepped) break;
@@ -141,8 +145,7 @@ class Run {
     const auto measured = setup.measure(*world, state);
     row.insert(row.end(), measured.begin(), measured.end());
     append_row(results_.samples, row);
-    results_.topology = worse(results_.topology,
-                              check_crossings(results_.scene.fabric, results_.scene.crossings, state.q));
+    results_.topology = worse(results_.topology, clasps_.follow(state.q));
     if (!world->parts().made_beads.empty()) results_.contact_samples = world->parts().made_beads.begin()->second->total();
   }
 
@@ -168,6 +171,7 @@ class Run {
 
   Results& results_;
   const RunOptions& options_;
+  Clasps clasps_;
 };
 
 }  // namespace

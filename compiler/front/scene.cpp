@@ -13,7 +13,7 @@
 namespace wale {
 namespace {
 
-constexpr int least_segments = 6, most_segments = 200;
+constexpr int least_segments = 8, sound_segments = 10, most_segments = 200;
 
 bool is_scene(const YamlNode& root, Diagnostics& say) {
   const YamlNode* version = root.find("scene");
@@ -55,6 +55,12 @@ void read_fabric(const YamlNode& node, ParsedScene& scene, Diagnostics& say) {
   if (const YamlNode* segments = fields.find("segments_per_stitch")) {
     const auto count = read_count(*segments, "the number of segments a stitch", least_segments, most_segments, say);
     scene.segments_per_stitch = count.value_or(scene.segments_per_stitch);
+    if (count && *count < sound_segments)
+      say.warning("S006", segments->span,
+                  fmt::format("with {} segments a stitch the spline cuts corners: yarns start as near as a quarter of a "
+                              "diameter",
+                              *count),
+                  fmt::format("use {} or more, or expect a first step that pushes hard", sound_segments));
   }
 }
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <optional>
-#include <tuple>
 
 #include "sim/net_crossing.hpp"
 #include "sim/polyline.hpp"
@@ -26,72 +24,70 @@ std::array<Vec3, view_count> spread_views() {
   return views;
 }
 
-constexpr int per_segment = 4;         // points of a polyline
-constexpr int surely = view_count;      // a count so high over all views is a crossing
-constexpr int longest_look = 3;         // segments, to look past a count that stays equal
+constexpr int per_segment = 4;               // points of a polyline
+constexpr int surely = 5 * view_count / 4;   // crossings in all views, of 2 a view where two pieces clasp
+constexpr int centred = 3 * view_count / 2;  // where there are so many, the pieces need not be moved
+constexpr int longest_look = 3;              // segments, to look past a count that stays equal
 
-/// A demanded crossing in one state, looked for some way along the two yarns.
-class Clasp {
- public:
-  Clasp(const Fabric& fabric, const Crossing& at, const Points& q) : fabric_(fabric), at_(at), q_(q) {}
-
-  /// Seen from anywhere, a side that is pulled through a loop crosses it twice in the same sense, unless an end of one lies
-  /// in front of the other; the mean over all views, twice Gauss's linking integral of the two pieces, is near 2 for a
-  /// clasp and near 0 for a side pushed out of its loop. Yarn slides through a pulled fabric: where the segments that the
-  /// compiler named are no longer those that cross, the pieces are moved along their yarns while that raises the count.
-  /// From a torn clasp there is no such way up to the next one, whose sense is the opposite.
-  bool holds() const {
-    int side = 0, loop = 0, count = crossings(0, 0);
-    while (count < surely) {
-      const auto better = step_up(side, loop, count);
-      if (!better) return false;
-      std::tie(side, loop, count) = *better;
-    }
-    return true;
-  }
-
- private:
-  using Found = std::tuple<int, int, int>;  // the shifts of side and loop, and the crossings there
-
-  std::optional<Found> step_up(int side, int loop, int count) const {
-    for (int step = 1; step <= longest_look; ++step)
-      for (const auto& [by_side, by_loop] : {std::pair{step, 0}, {-step, 0}, {0, step}, {0, -step}}) {
-        const int to_side = side + by_side, to_loop = loop + by_loop;
-        if (!within_reach(to_side, at_.side_first, at_.side_last) || !within_reach(to_loop, at_.loop_first, at_.loop_last))
-          continue;
-        if (const int there = crossings(to_side, to_loop); there > count) return Found{to_side, to_loop, there};
-      }
-    return {};
-  }
-
-  /// No further than three quarters of the piece, and not past the ends of its yarn.
-  bool within_reach(int shift, int first, int last) const {
-    if (4 * std::abs(shift) > 3 * (last - first + 1)) return false;
-    return first + shift >= 0 && last + shift < fabric_.segment_count() &&
-           fabric_.segment(first + shift).yarn == fabric_.segment(last + shift).yarn;
-  }
-
-  int crossings(int side_shift, int loop_shift) const {
-    static const std::array<Vec3, view_count> views = spread_views();
-    const Points loop = polyline(fabric_, q_, at_.loop_first + loop_shift, at_.loop_last + loop_shift, per_segment);
-    const Points side = polyline(fabric_, q_, at_.side_first + side_shift, at_.side_last + side_shift, per_segment);
-    int sum = 0;
-    for (const Vec3& view : views) sum += net_crossing(side, loop, view);
-    return sum * at_.sign;
-  }
-
-  const Fabric& fabric_;
-  const Crossing& at_;
-  const Points& q_;
-};
+/// Yarn that may have slid from one state to the next, segments.
+int reach(int first, int last) { return (last - first + 1) / 4; }
 
 }  // namespace
 
-Topology check_crossings(const Fabric& fabric, const std::vector<Crossing>& crossings, const Points& q) {
-  Topology topology{static_cast<long>(crossings.size()), 0};
-  for (const Crossing& at : crossings)
-    if (Clasp(fabric, at, q).holds()) ++topology.found;
+Clasps::Clasps(const Fabric& fabric, const std::vector<Crossing>& crossings)
+    : fabric_(fabric), crossings_(crossings), places_(crossings.size()) {}
+
+/// Seen from anywhere, a side that is pulled through a loop crosses it twice in the same sense, unless an end of one lies in
+/// front of the other; the mean over all views, twice Gauss's linking integral of the two pieces, is near 2 for a clasp and
+/// near 0 for a side pushed out of its loop.
+int Clasps::count(const Crossing& of, const Place& at, const Points& q) const {
+  static const std::array<Vec3, view_count> views = spread_views();
+  const Points loop = polyline(fabric_, q, of.loop_first + at.loop, of.loop_last + at.loop, per_segment);
+  const Points side = polyline(fabric_, q, of.side_first + at.side, of.side_last + at.side, per_segment);
+  int sum = 0;
+  for (const Vec3& view : views) sum += net_crossing(side, loop, view);
+  return sum * of.sign;
+}
+
+bool Clasps::within_yarn(const Crossing& of, const Place& at) const {
+  const auto on_one_yarn = [this](int first, int last) {
+    return first >= 0 && last < fabric_.segment_count() && fabric_.segment(first).yarn == fabric_.segment(last).yarn;
+  };
+  return on_one_yarn(of.side_first + at.side, of.side_last + at.side) &&
+         on_one_yarn(of.loop_first + at.loop, of.loop_last + at.loop);
+}
+
+/// Along both yarns while the count rises. The next clasp, a whole loop away, is out of reach, and of the opposite sense.
+Clasps::Place Clasps::climb(const Crossing& of, const Place& from, const Points& q) const {
+  const int side_reach = reach(of.side_first, of.side_last), loop_reach = reach(of.loop_first, of.loop_last);
+  Place best = from;
+  int most = count(of, best, q);
+  const auto higher = [&](int by_side, int by_loop) {
+    const Place next{best.side + by_side, best.loop + by_loop};
+    if (std::abs(next.side - from.side) > side_reach || std::abs(next.loop - from.loop) > loop_reach) return false;
+    if (!within_yarn(of, next)) return false;
+    const int there = count(of, next, q);
+    if (there <= most) return false;
+    most = there;
+    best = next;
+    return true;
+  };
+  for (int step = 1; most < centred && step <= longest_look; ++step)
+    if (higher(step, 0) || higher(-step, 0) || higher(0, step) || higher(0, -step)) step = 0;
+  return best;
+}
+
+Topology Clasps::follow(const Points& q) {
+  Topology topology{static_cast<long>(crossings_.size()), 0};
+  for (std::size_t i = 0; i < crossings_.size(); ++i) {
+    places_[i] = climb(crossings_[i], places_[i], q);
+    if (count(crossings_[i], places_[i], q) >= surely) ++topology.found;
+  }
   return topology;
+}
+
+Topology check_crossings(const Fabric& fabric, const std::vector<Crossing>& crossings, const Points& q) {
+  return Clasps(fabric, crossings).follow(q);
 }
 
 Topology worse(const Topology& a, const Topology& b) {

@@ -49,16 +49,24 @@ std::vector<Crossing> head_to_head(const testing::MadeJersey& made, int per_loop
   return crossings;
 }
 
-TEST(Topology, FollowsYarnThatHasSlidThroughTheFabric) {
-  constexpr int per_loop = 12;
-  const testing::MadeJersey made = testing::made_jersey(7, 2, per_loop);
-  std::vector<Crossing> slid;
-  for (Crossing at : head_to_head(made, per_loop)) {
-    at.side_first += 5, at.side_last += 5, at.loop_first -= 3, at.loop_last -= 3;
-    if (at.loop_first >= 0 && at.side_last < made.fabric.segment_count()) slid.push_back(at);
+TEST(Topology, FollowsYarnThatSlidesThroughTheFabric) {
+  constexpr int per_loop = 12, loops = 7;
+  const testing::MadeJersey made = testing::made_jersey(loops, 2, per_loop);
+  std::vector<Crossing> crossings;
+  for (const Crossing& at : head_to_head(made, per_loop))
+    if (at.side_first - loops * per_loop >= 2 * per_loop && at.side_last - loops * per_loop < (loops - 2) * per_loop)
+      crossings.push_back(at);
+  ASSERT_GE(crossings.size(), 4U);
+  Clasps clasps(made.fabric, crossings);
+  // One loop and a half through the lower course, step by step: each control point takes the place of the one before.
+  const Yarn& low = made.fabric.yarns.front();
+  Points slid = made.fabric.points;
+  for (int step = 1; step <= 9; ++step) {
+    for (int k = 0; k < low.points(); ++k)
+      slid.col(low.first_point + k) = testing::loop_point(-2 + 4.0 * (k - 1 - 2 * step) / per_loop, made.diameter);
+    EXPECT_TRUE(clasps.follow(slid).intact()) << 2 * step << " segments";
   }
-  ASSERT_GE(slid.size(), 8U);
-  EXPECT_TRUE(check_crossings(made.fabric, slid, made.fabric.points).intact());
+  EXPECT_FALSE(check_crossings(made.fabric, crossings, slid).intact()) << "at once it is too far to follow";
 }
 
 TEST(Topology, MissesOneLoopPushedOutBetweenItsNeighbours) {
