@@ -5,9 +5,8 @@
 #include <cstring>
 #include <iterator>
 #include <numeric>
-#include <vector>
 
-#include "sim/spline.hpp"
+#include "sim/polyline.hpp"
 
 namespace wale {
 namespace {
@@ -15,16 +14,8 @@ namespace {
 constexpr int points_per_segment = 4;
 
 /// Points on a yarn at even steps of the spline parameter, both ends included.
-std::vector<Vec3> sample(const Fabric& fabric, const Yarn& yarn, const Points& q, int per_segment) {
-  std::vector<Vec3> samples;
-  for (int segment = 0; segment < yarn.segments; ++segment) {
-    for (int k = 0; k < per_segment; ++k) {
-      samples.push_back(
-          combine(q, fabric.first_point(yarn.first_segment + segment), basis(double(k) / per_segment).value));
-    }
-  }
-  samples.push_back(combine(q, fabric.first_point(yarn.first_segment + yarn.segments - 1), basis(1).value));
-  return samples;
+Points sample(const Fabric& fabric, const Yarn& yarn, const Points& q, int per_segment) {
+  return polyline(fabric, q, yarn.first_segment, yarn.first_segment + yarn.segments - 1, per_segment);
 }
 
 template <class T>
@@ -41,11 +32,11 @@ std::string to_obj(const Fabric& fabric, const Points& q) {
   auto out = std::back_inserter(text);
   int next = 1;
   for (std::size_t i = 0; i < fabric.yarns.size(); ++i) {
-    const std::vector<Vec3> samples = sample(fabric, fabric.yarns[i], q, points_per_segment);
+    const Points samples = sample(fabric, fabric.yarns[i], q, points_per_segment);
     fmt::format_to(out, "o yarn_{}\n", i);
-    for (const Vec3& y : samples) fmt::format_to(out, "v {:.9g} {:.9g} {:.9g}\n", y.x(), y.y(), y.z());
+    for (const auto y : samples.colwise()) fmt::format_to(out, "v {:.9g} {:.9g} {:.9g}\n", y.x(), y.y(), y.z());
     fmt::format_to(out, "l");
-    for (std::size_t k = 0; k < samples.size(); ++k) fmt::format_to(out, " {}", next++);
+    for (int k = 0; k < samples.cols(); ++k) fmt::format_to(out, " {}", next++);
     fmt::format_to(out, "\n");
   }
   return fmt::to_string(text);
@@ -65,9 +56,8 @@ std::string to_bcc(const Fabric& fabric, const Points& q) {
   bytes += info;
   for (const Yarn& yarn : fabric.yarns) {
     append(bytes, std::int32_t{yarn.segments + 1});
-    for (const Vec3& y : sample(fabric, yarn, q, 1)) {
-      for (const double coordinate : y) append(bytes, static_cast<float>(coordinate));
-    }
+    const Points samples = sample(fabric, yarn, q, 1);
+    for (const double coordinate : samples.reshaped()) append(bytes, static_cast<float>(coordinate));
   }
   return bytes;
 }
