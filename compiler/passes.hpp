@@ -23,6 +23,9 @@ std::optional<Program> lower_chart(const Chart&, Diagnostics&);
 void check_program(const Program&, Diagnostics&);
 /// Runs the needle beds; stops at the first thing that a machine cannot do.
 std::optional<StitchGraph> knit(const Program&, Diagnostics&);
+/// The same, but does as much of a faulty instruction as makes sense, without a word: what check_program has told of
+/// can still be counted.
+StitchGraph knit_all(const Program&);
 /// Loops that hold nothing, what would unravel.
 void check_graph(const StitchGraph&, Diagnostics&);
 std::optional<Layout> place(const StitchGraph&, const Chart&, Diagnostics&);
