@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "compiler/diagnostic.hpp"
+#include "compiler/front/knitout_codes.hpp"
 #include "compiler/passes/program_codes.hpp"
 
 namespace wale {
@@ -80,9 +81,10 @@ inline constexpr auto front_codes = std::to_array<CodeInfo>({
 
 /// All codes, the front's first.
 inline constexpr auto code_table = [] {
-  std::array<CodeInfo, front_codes.size() + codes::program_codes.size()> all{};
-  std::copy(codes::program_codes.begin(), codes::program_codes.end(),
-            std::copy(front_codes.begin(), front_codes.end(), all.begin()));
+  std::array<CodeInfo, front_codes.size() + codes::knitout_codes.size() + codes::program_codes.size()> all{};
+  auto end = std::copy(front_codes.begin(), front_codes.end(), all.begin());
+  end = std::copy(codes::knitout_codes.begin(), codes::knitout_codes.end(), end);
+  std::copy(codes::program_codes.begin(), codes::program_codes.end(), end);
   return all;
 }();
 

@@ -28,13 +28,23 @@ std::size_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return !continues_character(c); }));
 }
 
+struct LineEnds {
+  std::size_t begin = 0, end = 0;  // bytes of the source, without the line end
+};
+
+LineEnds line_of(const Span& span) {
+  const std::string_view text = span.source->text;
+  const std::size_t begin = std::min<std::size_t>(span.begin, text.size());
+  LineEnds line{begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1, std::min(text.find('\n', begin), text.size())};
+  if (line.end > line.begin && text[line.end - 1] == '\r') --line.end;
+  return line;
+}
+
 /// The source line with carets under the span; long lines are cut around it.
 std::string excerpt(const Span& span) {
   const std::string_view text = span.source->text;
   const std::size_t begin = std::min<std::size_t>(span.begin, text.size());
-  const std::size_t line_begin = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
-  std::size_t line_end = std::min(text.find('\n', begin), text.size());
-  if (line_end > line_begin && text[line_end - 1] == '\r') --line_end;
+  const auto [line_begin, line_end] = line_of(span);
 
   std::size_t first = line_begin;
   if (begin - first > widest_excerpt * 2 / 3) first = begin - widest_excerpt / 2;
@@ -46,12 +56,29 @@ std::string excerpt(const Span& span) {
   const std::string_view before = text.substr(first, begin - first);
   const std::string_view marked = text.substr(begin, end - std::min(begin, end));
   std::string shown{text.substr(first, last - first)};
-  std::replace(shown.begin(), shown.end(), '\t', ' ');
+  // Tabs would shift the carets, other control characters the user's terminal.
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
   return fmt::format("    {}\n    {}{}\n", shown, std::string(characters(before), ' '),
                      std::string(std::max<std::size_t>(1, characters(marked)), '^'));
 }
 
+/// Knitout is mostly written by programs, which may say for a line where in their own text it comes from.
+std::string written_by(const Span& span) {
+  constexpr std::string_view mark = ";!source:";
+  const LineEnds ends = line_of(span);
+  const std::string_view line = std::string_view(span.source->text).substr(ends.begin, ends.end - ends.begin);
+  const std::size_t at = line.find(mark);
+  if (at == std::string_view::npos) return {};
+  return fmt::format("  source:{}\n", line.substr(at + mark.size()));
+}
+
 }  // namespace
+
+void Diagnostics::report(Diagnostic diagnostic) {
+  if (diagnostic.severity == Severity::error) ++errors_;
+  if (++counts_[diagnostic.code] <= most_of_a_code) all_.push_back(std::move(diagnostic));
+}
 
 void Diagnostics::error(std::string_view code, Span span, std::string message, std::string hint) {
   report({Severity::error, code, span, std::move(message), std::move(hint)});
@@ -61,9 +88,8 @@ void Diagnostics::warning(std::string_view code, Span span, std::string message,
   report({Severity::warning, code, span, std::move(message), std::move(hint)});
 }
 
-std::size_t Diagnostics::error_count() const {
-  return static_cast<std::size_t>(
-      std::count_if(all_.begin(), all_.end(), [](const Diagnostic& one) { return one.severity == Severity::error; }));
+void Diagnostics::note(std::string_view code, Span span, std::string message, std::string hint) {
+  report({Severity::note, code, span, std::move(message), std::move(hint)});
 }
 
 void Diagnostics::order_by_place(std::size_t kept) {
@@ -79,6 +105,7 @@ std::string print(const Diagnostic& diagnostic) {
   }
   text += fmt::format("{}: {} [{}]\n", word(diagnostic.severity), diagnostic.message, diagnostic.code);
   if (diagnostic.span.source) text += excerpt(diagnostic.span);
+  if (diagnostic.span.source) text += written_by(diagnostic.span);
   if (!diagnostic.hint.empty()) text += fmt::format("  hint: {}\n", diagnostic.hint);
   return text;
 }

@@ -14,13 +14,18 @@
 namespace wale::passes {
 
 std::optional<Chart> parse_chart(const Source&, const ChartOverrides&, Diagnostics&);
+/// A knitout file. Always gives a program: lines at fault are reported and left out, so that the rest can be counted.
+Program parse_knitout(const Source&, Diagnostics&);
 /// Knit on the front bed, purl on the back bed, transfers between; a tube goes round both beds at half gauge.
 /// Every instruction carries the span and the place of its chart cell.
 std::optional<Program> lower_chart(const Chart&, Diagnostics&);
 /// What a machine would refuse: carriers, racking, needles.
 void check_program(const Program&, Diagnostics&);
-/// Runs the needle beds.
+/// Runs the needle beds; stops at the first thing that a machine cannot do.
 std::optional<StitchGraph> knit(const Program&, Diagnostics&);
+/// The same, but does as much of a faulty instruction as makes sense, without a word: what check_program has told of
+/// can still be counted.
+StitchGraph knit_all(const Program&);
 /// Loops that hold nothing, what would unravel.
 void check_graph(const StitchGraph&, Diagnostics&);
 std::optional<Layout> place(const StitchGraph&, const Chart&, Diagnostics&);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wale {
 
@@ -25,6 +26,16 @@ struct LineColumn {
   int line = 0, column = 0;  ///< from 1; columns count bytes
 };
 LineColumn locate(const Span&);
+
+/// The lines of many spans: finds the line ends of a source once, where locate() counts from the beginning each time.
+class LineNumbers {
+ public:
+  /// From 1; 0 for a span without a source.
+  int operator()(const Span&);
+
+ private:
+  std::map<const Source*, std::vector<std::uint32_t>> line_ends_;
+};
 
 /// Keeps every text of a run alive, so that spans stay good, and so that results can hold what made them.
 class Sources {

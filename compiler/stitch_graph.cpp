@@ -15,6 +15,7 @@ void print_loop(const StitchGraph& graph, int i, std::string& text) {
   for (std::size_t k = 0; k < loop.through.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{} {}", k == 0 ? " through" : "", loop.through[k]);
   if (loop.held) text += " held";
+  if (loop.dropped) text += " dropped";
   text += "\n";
 }
 

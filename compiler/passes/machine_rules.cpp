@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/passes/program_codes.hpp"
 
@@ -11,17 +12,9 @@ namespace {
 
 using Answer = std::optional<Fault>;
 
-bool on_slider(const Needle& needle) { return needle.bed == Bed::front_slider || needle.bed == Bed::back_slider; }
-
-/// Where a needle stands along the front bed.
-double position(const Needle& needle, double racking) {
-  return needle.bed == Bed::back ? needle.index + racking : needle.index;
-}
+constexpr double farthest_racking = 100;  // needles; far beyond any machine
 
 Answer needle_fault(const Needle& needle) {
-  if (on_slider(needle))
-    return Fault{codes::slider, fmt::format("\"{}\" is a slider, and sliders cannot be simulated yet", print(needle)),
-                 "use the needles of the two beds"};
   if (needle.index < -farthest_needle || needle.index > farthest_needle)
     return Fault{codes::needle_out_of_range, fmt::format("\"{}\" lies beyond the end of any bed", print(needle)),
                  fmt::format("number the needles from -{0} to {0}", farthest_needle)};
@@ -30,7 +23,10 @@ Answer needle_fault(const Needle& needle) {
 
 Answer transfer_fault(const Instruction& at, double racking) {
   if (auto fault = needle_fault(at.other)) return fault;
-  if (at.needle.bed == at.other.bed)
+  if (on_slider(at.needle) && on_slider(at.other))
+    return Fault{codes::slider, fmt::format("\"{}\" and \"{}\" are both sliders", print(at.needle), print(at.other)),
+                 "move loops between a slider and a needle of the other bed"};
+  if (on_back(at.needle) == on_back(at.other))
     return Fault{codes::same_bed,
                  fmt::format("\"{}\" and \"{}\" are on the same bed", print(at.needle), print(at.other)),
                  "move loops to the other bed"};
@@ -38,6 +34,12 @@ Answer transfer_fault(const Instruction& at, double racking) {
   return Fault{codes::not_facing,
                fmt::format("\"{}\" does not face \"{}\" at racking {:g}", print(at.needle), print(at.other), racking),
                "rack the beds so that the needles face: front = back + racking"};
+}
+
+Answer racking_fault(const Instruction& at) {
+  if (std::abs(at.value[0]) <= farthest_racking) return {};
+  return Fault{codes::racking_absurd, fmt::format("no bed can be racked by {:g} needles", at.value[0]),
+               fmt::format("rack by at most {:g}; machines allow 4 to 8", farthest_racking)};
 }
 
 Answer carrier_fault(const Instruction& at, const Program& program, const MachineState& state) {
@@ -62,11 +64,14 @@ Answer carrier_fault(const Instruction& at, const Program& program, const Machin
 std::optional<Fault> fault_of(const Instruction& at, const Program& program, const MachineState& state) {
   if (at.carriers.empty() && (brings_in(at.op) || takes_out(at.op)))
     return Fault{codes::carrier_missing, "no carrier is named", "name the carrier"};
+  if (at.op == Op::rack) return racking_fault(at);
   if (auto fault = carrier_fault(at, program, state)) return fault;
   if (!works_needle(at.op)) return {};
-  // Miss makes no loop, so it may pass a slider; its needle must still be somewhere on the machine.
-  const Needle passed{Bed::front, at.needle.index};
-  if (auto fault = needle_fault(at.op == Op::miss ? passed : at.needle)) return fault;
+  if (auto fault = needle_fault(at.needle)) return fault;
+  if (on_slider(at.needle) && at.op != Op::miss && !at.carriers.empty())
+    return Fault{codes::slider,
+                 fmt::format("\"{}\" is a slider, which holds loops but cannot make them", print(at.needle)),
+                 "make the loop on a needle, then transfer it"};
   if (!at.carriers.empty() && at.direction == Direction::none)
     return Fault{codes::direction_missing, "a stitch with yarn needs a direction", "write + or - after the operation"};
   if (at.op == Op::split) return transfer_fault(at, state.racking);

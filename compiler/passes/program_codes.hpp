@@ -21,6 +21,9 @@ inline constexpr std::string_view not_facing = "P006";
 inline constexpr std::string_view same_bed = "P007";
 inline constexpr std::string_view slider = "P008";
 inline constexpr std::string_view needle_out_of_range = "P009";
+inline constexpr std::string_view racking_absurd = "P010";
+inline constexpr std::string_view stack_absurd = "P011";
+inline constexpr std::string_view too_many_ties = "P012";
 inline constexpr std::string_view carrier_left_in = "P020";
 inline constexpr std::string_view carrier_unused = "P021";
 inline constexpr std::string_view racked_far = "P022";
@@ -36,7 +39,7 @@ struct ProgramCode {
   std::string_view meaning, fix;
 };
 
-inline constexpr std::array<ProgramCode, 18> program_codes{{
+inline constexpr auto program_codes = std::to_array<ProgramCode>({
     {empty_chart, Severity::error, "a chart has no stitches", "wales: 12\nbands:\n  - {stitch: jersey, courses: 13}"},
     {tube_wales, Severity::error, "a tube has an odd number of wales, or fewer than four: half of them go on each bed",
      "form: tube\nwales: 20"},
@@ -51,9 +54,14 @@ inline constexpr std::array<ProgramCode, 18> program_codes{{
     {not_facing, Severity::error, "loops go to a needle that does not face theirs: front = back + racking",
      "rack 2\nxfer f3 b1"},
     {same_bed, Severity::error, "loops go to a needle of the same bed", "xfer f3 b3"},
-    {slider, Severity::error, "a slider is used, which cannot be simulated yet", "xfer f3 b3 ; not bs3"},
+    {slider, Severity::error, "a loop is made on a slider, or goes from slider to slider: sliders only hold loops",
+     "xfer f3 bs3\nrack 1\nxfer bs3 f4"},
     {needle_out_of_range, Severity::error, "a needle lies beyond the end of any bed: -100000 to 100000 are allowed",
      "knit + f12 a"},
+    {racking_absurd, Severity::error, "the beds are racked farther than any bed is long", "rack 2"},
+    {stack_absurd, Severity::error, "a needle would hold more than 100 loops", "knit + f0 a ; before the next tuck"},
+    {too_many_ties, Severity::error, "more than four million loops are knitted through or moved",
+     "cut the program into several"},
     {carrier_left_in, Severity::warning, "a carrier is still in at the end", "out a ; after its last stitch"},
     {carrier_unused, Severity::warning, "a carrier is brought in and never knits", "in a\nknit + f0 a\nout a"},
     {racked_far, Severity::warning, "the beds are racked farther than most machines go", "rack 4"},
@@ -62,6 +70,6 @@ inline constexpr std::array<ProgramCode, 18> program_codes{{
     {loop_runs, Severity::warning, "a loop holds nothing and nothing holds it, so it will run",
      "knit + f0 a ; before its needle drops it"},
     {long_float, Severity::warning, "yarn floats past more than 20 needles", "tuck + f10 a ; on the way"},
-}};
+});
 
 }  // namespace wale::codes

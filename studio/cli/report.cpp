@@ -71,6 +71,9 @@ void print_all(const Diagnostics& diagnostics) {
     if (!text.ends_with('\n')) text += '\n';
     fmt::print(stderr, "{}", text);
   }
+  for (const auto& [code, count] : diagnostics.counts())
+    if (count > Diagnostics::most_of_a_code)
+      fmt::print(stderr, "and {} more [{}]\n", count - Diagnostics::most_of_a_code, code);
 }
 
 std::string dump(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
@@ -120,6 +123,7 @@ Json loops_json(const StitchGraph& graph) {
     for (std::size_t i = 1; i < yarn.loops.size(); ++i)
       previous[static_cast<std::size_t>(yarn.loops[i])] = yarn.loops[i - 1];
   }
+  LineNumbers line_of;
   Json list = Json::array();
   for (std::size_t id = 0; id < graph.loops.size(); ++id) {
     const Loop& loop = graph.loops[id];
@@ -127,7 +131,7 @@ Json loops_json(const StitchGraph& graph) {
                     {"carrier", graph.carriers[static_cast<std::size_t>(loop.carrier)]},
                     {"direction", sign_of(loop.direction)},
                     {"needle", fmt::format("{}{}", name_of(loop.needle.bed), loop.needle.index)},
-                    {"line", loop.span.source ? locate(loop.span).line : 0},
+                    {"line", line_of(loop.span)},
                     {"op", loop.kind == LoopKind::knit ? "knit" : "tuck"},
                     {"parents", loop.through},
                     {"previous", previous[id] < 0 ? Json() : Json(previous[id])}});

@@ -18,8 +18,9 @@ std::string suffix_of(const std::string& path) { return std::filesystem::path(pa
 
 /// The line of the chart that asked for each stitch.
 std::vector<int> lines_of(const StitchGraph& graph) {
+  LineNumbers line_of;
   std::vector<int> lines;
-  for (const Loop& loop : graph.loops) lines.push_back(locate(loop.span).line);
+  for (const Loop& loop : graph.loops) lines.push_back(line_of(loop.span));
   return lines;
 }
 

@@ -137,7 +137,7 @@ TEST(Knit, RefusesWhatAMachineCannotDoAtItsLine) {
       {"in a\nknit + f3 a\nrack 1\nxfer f3 b3\n", "xfer f3 b3", codes::not_facing},
       {"in a\nknit + f3 a\nrack 0.25\nxfer f3 b3\n", "xfer f3 b3", codes::not_facing},
       {"in a\nsplit + f3 f3 a\n", "split + f3 f3 a", codes::same_bed},
-      {"in a\nknit + f0 a\nxfer f0 bs0\n", "xfer f0 bs0", codes::slider},
+      {"in a\nknit + f0 a\nxfer f0 bs0\nxfer bs0 fs0\n", "xfer bs0 fs0", codes::slider},
       {"in a\nknit + fs0 a\n", "knit + fs0 a", codes::slider},
       {"in a\nknit + f2000000000 a\n", "knit + f2000000000 a", codes::needle_out_of_range},
       {"in a\nknit + f-2147483648 a\nknit + f2147483647 a\n", "knit + f-2147483648 a", codes::needle_out_of_range}};
