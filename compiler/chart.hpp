@@ -40,6 +40,11 @@ struct Chart {
   Span span;
 
   int wales() const { return courses.empty() ? 0 : static_cast<int>(courses.front().size()); }
+  std::vector<Material> materials() const {
+    std::vector<Material> of_yarns;
+    for (const ChartYarn& yarn : yarns) of_yarns.push_back(yarn.material);
+    return of_yarns;
+  }
   int course_count() const { return static_cast<int>(courses.size()); }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "sim/spline.hpp"
 
@@ -23,6 +24,18 @@ std::map<int, Range> ranges_by_stitch(const Fabric& fabric) {
   return ranges;
 }
 
+/// The loops before and after each on its yarn; -1 where there is none.
+struct Neighbours {
+  std::vector<int> before, after;
+  explicit Neighbours(const StitchGraph& graph) : before(graph.loops.size(), -1), after(graph.loops.size(), -1) {
+    for (const YarnPath& yarn : graph.yarns)
+      for (std::size_t k = 1; k < yarn.loops.size(); ++k) {
+        before[static_cast<std::size_t>(yarn.loops[k])] = yarn.loops[k - 1];
+        after[static_cast<std::size_t>(yarn.loops[k - 1])] = yarn.loops[k];
+      }
+  }
+};
+
 std::map<int, const PlacedLoop*> by_stitch(const Layout& layout) {
   std::map<int, const PlacedLoop*> placed;
   for (const auto& row : layout.rows)
@@ -32,29 +45,67 @@ std::map<int, const PlacedLoop*> by_stitch(const Layout& layout) {
 
 }  // namespace
 
-std::vector<Crossing> demanded_crossings(const Layout& layout, const Fabric& fabric) {
+std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Fabric& fabric) {
   const auto ranges = ranges_by_stitch(fabric);
+  const Neighbours along_yarn(graph);
   const auto head = [](const Range& of) { return (of.first + of.last + 1) / 2; };
-  // A side reaches to the head beside it. At a selvedge there is none: the yarn that joins two courses swings about
-  // freely, over or under the last loop, and tells nothing.
-  const auto neighbour = [&](int beyond) -> const Range* {
-    if (beyond < 0 || beyond >= fabric.segment_count() || fabric.segment(beyond).stitch < 0) return nullptr;
-    return &ranges.at(fabric.segment(beyond).stitch);
+  // A side reaches to the head beside it, or half a stitch into a float. Where the yarn turns to another course it swings
+  // about freely, over or under the last loop, and tells nothing.
+  const auto start_of_side = [&](int loop) -> std::optional<int> {
+    const Range own = ranges.at(loop);
+    const int before = along_yarn.before[static_cast<std::size_t>(loop)];
+    if (before < 0) return {};
+    const Range beside = ranges.at(before);
+    if (beside.last + 1 == own.first) return head(beside);
+    if (graph.loops[static_cast<std::size_t>(before)].direction != graph.loops[static_cast<std::size_t>(loop)].direction) return {};
+    return std::max(beside.last + 1, own.first - (own.last - own.first) / 2);
+  };
+  const auto end_of_side = [&](int loop) -> std::optional<int> {
+    const Range own = ranges.at(loop);
+    const int after = along_yarn.after[static_cast<std::size_t>(loop)];
+    if (after < 0) return {};
+    const Range beside = ranges.at(after);
+    if (beside.first == own.last + 1) return head(beside) - 1;
+    if (graph.loops[static_cast<std::size_t>(after)].direction != graph.loops[static_cast<std::size_t>(loop)].direction) return {};
+    return std::min(beside.first - 1, own.last + (own.last - own.first) / 2);
   };
   std::vector<Crossing> crossings;
-  for (std::size_t course = 1; course < layout.rows.size(); ++course)
-    for (std::size_t wale = 0; wale < layout.rows[course].size(); ++wale) {
-      const PlacedLoop& child = layout.rows[course][wale];
-      const Range own = ranges.at(child.loop), loop = ranges.at(layout.rows[course - 1][wale].loop);
+  for (int i = 0; i < static_cast<int>(graph.loops.size()); ++i) {
+    const Loop& child = graph.loops[static_cast<std::size_t>(i)];
+    const std::optional<int> start = start_of_side(i), end = end_of_side(i);
+    const int middle = head(ranges.at(i));
+    for (const int parent : child.through) {
+      const Range loop = ranges.at(parent);
       // The first side drawn goes up behind and over a knit loop's head; whether that turns left or right round it
       // depends on which way the loop below runs.
-      const int running = layout.from_left[course - 1] ? 1 : -1;
-      if (const Range* before = neighbour(own.first - 1))
-        crossings.push_back({head(*before), head(own) - 1, loop.first, loop.last, -running * child.sign});
-      if (const Range* after = neighbour(own.last + 1))
-        crossings.push_back({head(own), head(*after) - 1, loop.first, loop.last, running * child.sign});
+      const bool leftwards = graph.loops[static_cast<std::size_t>(parent)].direction == Direction::decreasing;
+      const int sign = (leftwards ? -1 : 1) * (on_back(child.needle) ? -1 : 1);
+      if (start) crossings.push_back({*start, middle - 1, loop.first, loop.last, -sign});
+      if (end) crossings.push_back({middle, *end, loop.first, loop.last, sign});
     }
+  }
   return crossings;
+}
+
+Gauge gauge_of(const StitchGraph& graph, const Fabric& fabric) {
+  const std::vector<int> courses = courses_of(graph);
+  const auto ranges = ranges_by_stitch(fabric);
+  Gauge gauge;
+  gauge.wales = graph.widest;
+  gauge.courses = courses.empty() ? 0 : 1 + *std::max_element(courses.begin(), courses.end());
+  // Without loops on needles the fabric ends where it is bound off, in its last course.
+  const bool open = !graph.on_needles.empty();
+  for (int i = 0; i < static_cast<int>(graph.loops.size()); ++i) {
+    const Loop& loop = graph.loops[static_cast<std::size_t>(i)];
+    const Range range = ranges.at(i);
+    const int quarter = (range.last - range.first + 1) / 4;
+    const int course = courses[static_cast<std::size_t>(i)];
+    if (course == 0 && loop.through.empty())
+      for (const int k : {range.first, range.last}) gauge.wale_ends[0].push_back(k);
+    if (open ? loop.held : course + 1 == gauge.courses)
+      for (int k = range.first + quarter; k <= range.last - quarter; ++k) gauge.wale_ends[1].push_back(k);
+  }
+  return gauge;
 }
 
 Gauge gauge_of(const Layout& layout, const Fabric& fabric) {

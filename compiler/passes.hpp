@@ -3,10 +3,12 @@
 
 #include <optional>
 
+#include "compiler/arrangement.hpp"
 #include "compiler/chart.hpp"
 #include "compiler/curves.hpp"
 #include "compiler/diagnostic.hpp"
 #include "compiler/layout.hpp"
+#include "compiler/passes/loop_shape.hpp"
 #include "compiler/program.hpp"
 #include "compiler/stitch_graph.hpp"
 #include "sim/scene.hpp"
@@ -31,7 +33,11 @@ void check_graph(const StitchGraph&, Diagnostics&);
 std::optional<Layout> place(const StitchGraph&, const Chart&, Diagnostics&);
 /// One smooth curve a yarn, through the right side of each loop.
 std::optional<Curves> thread(const Layout&, const Chart&, Diagnostics&);
-/// Equal arc length, spline through the points; `segments_per_stitch` at least 6.
-std::optional<Fabric> fit(const Curves&, const Chart&, int segments_per_stitch, Diagnostics&);
+/// The same two for any graph: where its loops hang from each other, and one curve a yarn through them.
+Arrangement arrange(const StitchGraph&, const LoopSize&, double diameter);
+Curves draw(const StitchGraph&, const Arrangement&, const LoopSize&, double diameter);
+/// Equal arc length, spline through the points; `segments_per_stitch` at least 8. The fabric has `yarns` as materials, and
+/// after them their edge forms, in the same order.
+Fabric fit(const Curves&, const std::vector<Material>& yarns, int segments_per_stitch);
 
 }  // namespace wale::passes

@@ -70,11 +70,11 @@ void fit_yarn(const YarnCurve& curve, int segments_per_stitch, Fabric& fabric) {
 
 }  // namespace
 
-std::optional<Fabric> fit(const Curves& curves, const Chart& chart, int segments_per_stitch, Diagnostics&) {
+Fabric fit(const Curves& curves, const std::vector<Material>& yarns, int segments_per_stitch) {
   Fabric fabric;
   fabric.points.resize(3, 0);
-  for (const ChartYarn& yarn : chart.yarns) fabric.materials.push_back(yarn.material);
-  for (const ChartYarn& yarn : chart.yarns) fabric.materials.push_back(at_edge(yarn.material));
+  fabric.materials = yarns;
+  for (const Material& yarn : yarns) fabric.materials.push_back(at_edge(yarn));
   for (const YarnCurve& curve : curves.yarns) fit_yarn(curve, segments_per_stitch, fabric);
   return fabric;
 }

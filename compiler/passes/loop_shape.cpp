@@ -10,6 +10,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double blend_width = 0.4;  // in w, on either side of the middle of a sinker; see ArcLength for its steps
+constexpr double tightest = 0.98;    // a stitch drawn is at least so much longer than the stitch asked for
 constexpr double phase_shift = 0.2;  // in half waves, towards the leg's middle
 
 /// Where the loop above has the same sign, the paper's form; where not, three half waves instead of two from head to
@@ -27,19 +28,26 @@ Smooth mix(const Smooth& a, const Smooth& b, const Smooth& share) {
           a.slope + share.value * (b.slope - a.slope) + share.slope * (b.value - a.value)};
 }
 
-/// Share of the right-hand stitch in a sinker, by distance from its middle.
-Smooth share_of_right(double from_middle) {
-  Smooth share = smooth_step((from_middle + blend_width) / (2 * blend_width));
-  share.slope /= 2 * blend_width;
-  return share;
-}
-
 Smooth loop_depth(const LoopSigns& left, const LoopSigns& here, const LoopSigns& right, double w) {
   if (w > 0) return mix(own_depth(here, w), own_depth(right, w - 4), share_of_right(w - 2));
   return mix(own_depth(left, w + 4), own_depth(here, w), share_of_right(w + 2));
 }
 
+double jersey_length(const LoopSize& size) {
+  constexpr int steps = 400;
+  double length = 0;
+  for (int i = 0; i < steps; ++i)
+    length += loop_point(size, {}, {}, {}, -2 + 4 * (i + 0.5) / steps).dy.norm() * 4 / steps;
+  return length;
+}
+
 }  // namespace
+
+Smooth share_of_right(double from_middle) {
+  Smooth share = smooth_step((from_middle + blend_width) / (2 * blend_width));
+  share.slope /= 2 * blend_width;
+  return share;
+}
 
 LoopSize loose_loops(double diameter, double enlarge) {
   return {1.25 * diameter * enlarge, 2.7 * diameter * enlarge, 0.88 * diameter, 3.5 * diameter * enlarge};
@@ -50,6 +58,14 @@ Curve3 loop_point(const LoopSize& size, const LoopSigns& left, const LoopSigns& 
   const Smooth depth = loop_depth(left, here, right, w);
   return {{size.x * (w + std::sin(pi * w)), size.y * std::cos(pi * w / 2), size.z * depth.value},
           {size.x * (1 + pi * std::cos(pi * w)), -size.y * pi / 2 * std::sin(pi * w / 2), size.z * depth.slope}};
+}
+
+/// Depth does not grow, so length grows a little less than size.
+LoopSize large_enough(double diameter, double longest_stitch) {
+  double enlarge = 1;
+  for (int k = 0; k < 20; ++k)
+    enlarge = std::max(1.0, enlarge * longest_stitch / (tightest * jersey_length(loose_loops(diameter, enlarge))));
+  return loose_loops(diameter, enlarge);
 }
 
 }  // namespace wale

@@ -1,6 +1,7 @@
 /// The shape of one loop in a row, before tightening: Ding et al. 2023, Eq. (4), with depth by the over/under rule.
 #pragma once
 
+#include "compiler/passes/smooth_step.hpp"
 #include "sim/fabric.hpp"
 
 namespace wale {
@@ -32,5 +33,11 @@ struct Curve3 {
 /// Its head and its right foot's sinker follow the rule: from head to sinker the loop meets the loop above with
 /// depth -S (head), +S (upper leg), and the loop below with +s (lower leg), -s (sinker). Centre of the head at x = 0.
 Curve3 loop_point(const LoopSize&, const LoopSigns& left, const LoopSigns& here, const LoopSigns& right, double w);
+
+/// Share of the right-hand stitch in a sinker, by distance in w from its middle.
+Smooth share_of_right(double from_middle);
+
+/// Loose loops long enough for stitches of up to `longest_stitch`, m: rest lengths only shrink afterwards.
+LoopSize large_enough(double diameter, double longest_stitch);
 
 }  // namespace wale

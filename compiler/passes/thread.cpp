@@ -12,7 +12,6 @@ namespace {
 using Point = CurvePiece::Point;
 
 constexpr double chain_radius = 1.3;      // of the cast-on and bind-off spirals, in diameters
-constexpr double tightest = 0.98;         // a stitch drawn is at least so much longer than the stitch asked for
 // Beyond what the stitches shrink: joins are drawn in wide half circles and knitted straight, and a chain pulled tight
 // keeps the heads that it holds from turning over.
 constexpr double join_shrink = 0.7;
@@ -203,23 +202,6 @@ double longest_stitch(const Layout& layout) {
   for (const auto& row : layout.rows)
     for (const PlacedLoop& placed : row) longest = std::max(longest, placed.stitch_length);
   return longest;
-}
-
-double jersey_length(const LoopSize& size) {
-  constexpr int steps = 400;
-  double length = 0;
-  for (int i = 0; i < steps; ++i)
-    length += loop_point(size, {}, {}, {}, -2 + 4 * (i + 0.5) / steps).dy.norm() * 4 / steps;
-  return length;
-}
-
-/// Rest lengths only shrink afterwards: a fabric looser than the loose loops is drawn larger. Depth does not grow, so
-/// length grows a little less than size.
-LoopSize large_enough(double diameter, double longest_stitch) {
-  double enlarge = 1;
-  for (int k = 0; k < 20; ++k)
-    enlarge = std::max(1.0, enlarge * longest_stitch / (tightest * jersey_length(loose_loops(diameter, enlarge))));
-  return loose_loops(diameter, enlarge);
 }
 
 }  // namespace

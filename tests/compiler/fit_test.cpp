@@ -27,7 +27,7 @@ Fitted fitted(const Chart& chart) {
   const auto graph = program ? passes::knit(*program, say) : std::nullopt;
   auto layout = graph ? passes::place(*graph, chart, say) : std::nullopt;
   auto curves = layout ? passes::thread(*layout, chart, say) : std::nullopt;
-  auto fabric = curves ? passes::fit(*curves, chart, segments_per_stitch, say) : std::nullopt;
+  auto fabric = curves ? std::optional(passes::fit(*curves, chart.materials(), segments_per_stitch)) : std::nullopt;
   if (!fabric) throw std::runtime_error("the chart was refused");
   return {std::move(*layout), std::move(*curves), std::move(*fabric)};
 }

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/passes.hpp"
+#include "compiler/passes/crossing_loops.hpp"
+#include "compiler/passes/springs.hpp"
+#include "compiler/passes/yarn_steps.hpp"
+
+namespace wale::passes {
+namespace {
+
+constexpr double sheet_distance = 2.2;  // of the two faces of a tube from its middle, in diameters
+constexpr double sheet_pull = 0.3;      // of each bed to its own side, where one stitch pulls the next with 1
+constexpr double faint = 1e-3;          // what places loops that nothing else does
+
+/// Which heads hang where, from the graph alone.
+class Hangings {
+ public:
+  explicit Hangings(const StitchGraph& graph) : graph_(graph) { of_.loops.resize(graph.loops.size()); }
+
+  Arrangement hang() {
+    for (int i = 0; i < static_cast<int>(graph_.loops.size()); ++i) put_feet(i);
+    for (const HeldLoops& held : graph_.on_needles) put_heads(held.loops);
+    for (int i = 0; i < static_cast<int>(graph_.loops.size()); ++i)
+      if (at(i).head < 0) put_heads({i});
+    return std::move(of_);
+  }
+
+ private:
+  const Loop& loop(int i) const { return graph_.loops[static_cast<std::size_t>(i)]; }
+  Hanging& at(int i) { return of_.loops[static_cast<std::size_t>(i)]; }
+
+  int new_anchor() {
+    of_.anchors.emplace_back();
+    return static_cast<int>(of_.anchors.size()) - 1;
+  }
+
+  /// Loops that one instruction makes of several yarns lie together.
+  void put_feet(int i) {
+    const bool plated = i > 0 && loop(i).instruction >= 0 && loop(i - 1).instruction == loop(i).instruction;
+    Hanging& own = at(i);
+    own.sign = on_back(loop(i).needle) ? -1 : 1;
+    own.heading = loop(i).direction == Direction::decreasing ? -1 : 1;
+    own.feet = plated ? at(i - 1).feet : new_anchor();
+    Anchor& anchor = of_.anchors[static_cast<std::size_t>(own.feet)];
+    anchor.feet.push_back(i);
+    if (plated) return;
+    anchor.heads = loop(i).through;
+    for (const int parent : loop(i).through) at(parent).head = own.feet;
+  }
+
+  void put_heads(const std::vector<int>& loops) {
+    std::vector<int> free;
+    for (const int i : loops)
+      if (at(i).head < 0) free.push_back(i);
+    if (free.empty()) return;
+    const int anchor = new_anchor();
+    for (const int i : free) at(i).head = anchor;
+    of_.anchors[static_cast<std::size_t>(anchor)].heads = std::move(free);
+  }
+
+  const StitchGraph& graph_;
+  Arrangement of_;
+};
+
+/// Finds where everything lies: stitches pull their neighbours to the distances of a loose fabric.
+class Arranging {
+ public:
+  Arranging(const StitchGraph& graph, const LoopSize& size, double diameter, Arrangement& of)
+      : graph_(graph), size_(size), diameter_(diameter), of_(of), courses_(courses_of(graph)) {}
+
+  void solve() {
+    const Eigen::VectorXd x = across(), y = upwards(), z = sheets();
+    for (std::size_t i = 0; i < of_.anchors.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      of_.anchors[i].at = {x(k), y(k), z(k)};
+    }
+    turn_up();
+  }
+
+ private:
+  const Loop& loop(int i) const { return graph_.loops[static_cast<std::size_t>(i)]; }
+  const Hanging& at(int i) const { return of_.loops[static_cast<std::size_t>(i)]; }
+  int course(int i) const { return courses_[static_cast<std::size_t>(i)]; }
+
+  /// Courses from a loop's feet to its head: a loop that waits on its needle is drawn long.
+  int rise(int i) const {
+    const Anchor& head = of_.anchors[static_cast<std::size_t>(at(i).head)];
+    return head.feet.empty() ? 1 : std::max(1, course(head.feet.front()) - course(i));
+  }
+
+  Eigen::VectorXd upwards() const {
+    Springs springs(of_.anchors.size());
+    for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
+      const double n = rise(i);
+      springs.between(at(i).feet, at(i).head, n * size_.pitch, 1 / (n * n));
+      springs.towards(at(i).feet, course(i) * size_.pitch, faint);
+    }
+    for (const YarnStep& step : of_.steps)
+      if (!step.turns) springs.between(at(step.from).feet, at(step.to).feet, 0, step.apart > 3 ? 0.1 : 1);
+    return springs.rest();
+  }
+
+  Eigen::VectorXd across() const {
+    Springs springs(of_.anchors.size());
+    const double per_needle = size_.wale() * columns_per_needle();
+    for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
+      springs.between(at(i).feet, at(i).head, 0, 1);
+      springs.towards(at(i).feet, per_needle * position(loop(i).needle, loop(i).racking), faint);
+    }
+    for (const YarnStep& step : of_.steps)
+      if (!step.turns)
+        springs.between(at(step.from).feet, at(step.to).feet, at(step.to).heading * step.apart * size_.wale(),
+                        1.0 / (step.apart * step.apart));
+    return springs.rest();
+  }
+
+  /// At half gauge every other needle is empty; in a full rib both beds share the places.
+  double columns_per_needle() const {
+    std::vector<double> ratios;
+    for (const YarnStep& step : of_.steps) {
+      const double needles = position(loop(step.to).needle, loop(step.to).racking) -
+                             position(loop(step.from).needle, loop(step.from).racking);
+      if (!step.turns && needles != 0) ratios.push_back(step.apart / std::abs(needles));
+    }
+    if (ratios.empty()) return 1;
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    return *middle;
+  }
+
+  /// Where both beds knit a sheet each, as in a tube, the sheets lie apart; where stitches of both alternate they draw each
+  /// other to the middle.
+  Eigen::VectorXd sheets() const {
+    Springs springs(of_.anchors.size());
+    for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
+      springs.between(at(i).feet, at(i).head, 0, 1);
+      springs.towards(at(i).feet, at(i).sign * sheet_distance * diameter_, sheet_pull);
+    }
+    for (const YarnStep& step : of_.steps)
+      if (!step.turns) springs.between(at(step.from).feet, at(step.to).feet, 0, 1);
+    return springs.rest();
+  }
+
+  /// Loops stand upright on their feet as far as they lean themselves.
+  void turn_up() {
+    std::vector<Vec3> lean(of_.anchors.size(), Vec3(0, size_.pitch, 0));
+    for (const Hanging& loop : of_.loops) {
+      Vec3 rise = of_.anchors[static_cast<std::size_t>(loop.head)].at - of_.anchors[static_cast<std::size_t>(loop.feet)].at;
+      rise.z() = 0;
+      lean[static_cast<std::size_t>(loop.feet)] += rise;
+      lean[static_cast<std::size_t>(loop.head)] += rise;
+    }
+    for (std::size_t i = 0; i < lean.size(); ++i)
+      if (lean[i].norm() > 1e-3 * size_.pitch) of_.anchors[i].up = lean[i].normalized();
+  }
+
+  const StitchGraph& graph_;
+  const LoopSize& size_;
+  double diameter_;
+  Arrangement& of_;
+  std::vector<int> courses_;
+};
+
+}  // namespace
+
+Arrangement arrange(const StitchGraph& graph, const LoopSize& size, double diameter) {
+  Arrangement arrangement = Hangings(graph).hang();
+  arrangement.steps = yarn_steps(graph);
+  mark_crossing_loops(graph, arrangement);
+  Arranging(graph, size, diameter, arrangement).solve();
+  return arrangement;
+}
+
+}  // namespace wale::passes

@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "compiler/passes.hpp"
+#include "compiler/passes/hung_loop.hpp"
+#include "compiler/passes/strip.hpp"
+
+namespace wale::passes {
+namespace {
+
+using Point = CurvePiece::Point;
+
+constexpr double deeper = 0.6;        // a loop reaches by so much deeper for each further one that hangs with it
+constexpr double aside = 1.1;         // of a loop that crosses another, in diameters
+constexpr double turn_reach = 2;      // tangents of a turn, by its width
+constexpr double turn_shrink = 0.7;   // turns are drawn wide and knitted straight
+constexpr double same_sheet = 1.5;    // diameters: loops further off in depth are of the other face of a tube
+
+class Drawing {
+ public:
+  Drawing(const StitchGraph& graph, const Arrangement& arrangement, const LoopSize& size, double diameter)
+      : graph_(graph), arrangement_(arrangement), size_(size), diameter_(diameter) {}
+
+  Curves draw() {
+    Curves curves;
+    std::size_t step = 0;
+    for (const YarnPath& yarn : graph_.yarns) {
+      const std::size_t steps = yarn.loops.empty() ? 0 : yarn.loops.size() - 1;
+      if (!yarn.loops.empty()) curves.yarns.push_back(draw_yarn(yarn, step));
+      step += steps;
+    }
+    return curves;
+  }
+
+ private:
+  const Hanging& hanging(int loop) const { return arrangement_.loops[static_cast<std::size_t>(loop)]; }
+  const Anchor& anchor(int i) const { return arrangement_.anchors[static_cast<std::size_t>(i)]; }
+
+  YarnCurve draw_yarn(const YarnPath& yarn, std::size_t first_step) {
+    pieces_.clear();
+    material_ = yarn.carrier;
+    for (std::size_t k = 0; k < yarn.loops.size(); ++k) {
+      const YarnStep* before = k > 0 ? &arrangement_.steps[first_step + k - 1] : nullptr;
+      const YarnStep* after = k + 1 < yarn.loops.size() ? &arrangement_.steps[first_step + k] : nullptr;
+      draw_loop(yarn.loops[k], before, after);
+    }
+    tails();
+    return {std::move(pieces_)};
+  }
+
+  /// One foot of a row goes over into the next where the loops lie side by side.
+  bool side_by_side(const YarnStep& step) const {
+    if (step.turns || step.apart != 1) return false;
+    const Vec3 apart = anchor(hanging(step.to).feet).at - anchor(hanging(step.from).feet).at;
+    const double ahead = hanging(step.to).heading * apart.x() / size_.wale();
+    return ahead > 0.4 && ahead < 1.8 && std::abs(apart.y()) < size_.pitch && std::abs(apart.z()) < 2 * diameter_;
+  }
+
+  Footing footing(int anchor_index, int loop, bool head) const {
+    const Anchor& of = anchor(anchor_index);
+    const std::vector<int>& layers = head ? of.heads : of.feet;
+    const auto place = std::find(layers.begin(), layers.end(), loop) - layers.begin();
+    const auto count = static_cast<double>(layers.size());
+    const auto thickest = static_cast<double>(std::max(of.heads.size(), of.feet.size()));
+    Footing footing{of.at, of.up, 1 + deeper * (thickest - 1), 0};
+    if (place < static_cast<std::ptrdiff_t>(layers.size()))
+      footing.forward = diameter_ * ((count - 1) / 2 - static_cast<double>(place));
+    return footing;
+  }
+
+  Bearing bearing(int loop) const {
+    const Hanging& of = hanging(loop);
+    Bearing bearing{footing(of.feet, loop, false), footing(of.head, loop, true), {of.sign, of.sign}, 0};
+    const std::vector<int>& above = anchor(of.head).feet;
+    if (!above.empty()) bearing.signs.above = hanging(above.front()).sign;
+    // A tuck lies behind (or before) the loops that it hangs with all the way.
+    if (anchor(of.feet).heads.empty() && anchor(of.feet).feet.size() == 1) bearing.feet.forward = bearing.head.forward;
+    bearing.aside = of.passes * aside * diameter_;
+    return bearing;
+  }
+
+  void draw_loop(int loop, const YarnStep* before, const YarnStep* after) {
+    HungLoop shape{bearing(loop), {}, {}};
+    const int heading = hanging(loop).heading;
+    const bool joined = before && side_by_side(*before);
+    if (joined) (heading > 0 ? shape.left : shape.right) = bearing(before->from);
+    if (after && side_by_side(*after)) (heading > 0 ? shape.right : shape.left) = bearing(after->to);
+    const double h = heading;
+    CurvePiece piece{[=, size = size_](double u) {
+                       const Curve3 c = hung_point(size, shape, h * (4 * u - 2));
+                       return Point{c.y, 4 * h * c.dy};
+                     },
+                     loop, material_, graph_.loops[static_cast<std::size_t>(loop)].stitch_length, 1};
+    if (before && !joined) join(*before, piece.at(0));
+    pieces_.push_back(std::move(piece));
+  }
+
+  /// From where the yarn is to the next loop, past what hangs between.
+  void join(const YarnStep& step, const Point& to) {
+    const Point from = pieces_.back().at(1);
+    std::vector<Point> stops{from};
+    for (const Vec3& at : passed(step, from.y, to.y)) stops.push_back({at, Vec3::Zero()});
+    stops.push_back(to);
+    const bool straight = stops.size() == 2;
+    const double reach = (step.turns && straight ? turn_reach : 1) * std::max((to.y - from.y).norm(), diameter_);
+    for (std::size_t k = 1; k + 1 < stops.size(); ++k) stops[k].dy = (stops[k + 1].y - stops[k - 1].y) / 2;
+    const auto length = [&](std::size_t k) { return straight ? reach : (stops[k + 1].y - stops[k].y).norm(); };
+    stops.front().dy = length(0) * from.dy.normalized();
+    stops.back().dy = length(stops.size() - 2) * to.dy.normalized();
+    for (std::size_t k = 0; k + 1 < stops.size(); ++k)
+      pieces_.push_back({[a = stops[k], b = stops[k + 1]](double u) { return hermite(a, b, u); }, -1, material_, 0,
+                         step.turns ? turn_shrink : 1});
+  }
+
+  /// The points where a float lies behind the loops of the front bed that it passes, and before those of the back bed.
+  std::vector<Vec3> passed(const YarnStep& step, const Vec3& from, const Vec3& to) const {
+    const double across = to.x() - from.x();
+    std::map<double, Vec3> stops;  // by share of the way
+    for (const int loop : step.passed) {
+      const Hanging& of = hanging(loop);
+      const Vec3 &feet = anchor(of.feet).at, &head = anchor(of.head).at;
+      const double share = ((feet.x() + head.x()) / 2 - from.x()) / across;
+      if (!(share > 0.05 && share < 0.95)) continue;
+      Vec3 at = from + share * (to - from);
+      if (std::abs((feet.z() + head.z()) / 2 - at.z()) > same_sheet * diameter_ && !on_the_way(feet, head, from, to)) continue;
+      at.z() = (feet.z() + head.z()) / 2 - of.sign * size_.z;
+      stops[share] = at;
+    }
+    std::vector<Vec3> points;
+    for (const auto& [share, at] : stops) points.push_back(at);
+    return points;
+  }
+
+  /// Between the sheets there is nothing to pass.
+  bool on_the_way(const Vec3& feet, const Vec3& head, const Vec3& from, const Vec3& to) const {
+    const double z = (feet.z() + head.z()) / 2;
+    return z > std::min(from.z(), to.z()) && z < std::max(from.z(), to.z());
+  }
+
+  /// Loose ends, on from the first and the last loop and away from the fabric's middle.
+  void tails() {
+    const double length = size_.wale() / 2;
+    const Point first = pieces_.front().at(0), last = pieces_.back().at(1);
+    const auto tail = [&](const Point& a, const Point& b) {
+      return CurvePiece{[=](double u) { return hermite(a, b, u); }, -1, material_, 0, 1};
+    };
+    const Vec3 out = length * last.dy.normalized(), in = length * first.dy.normalized();
+    pieces_.push_back(tail({last.y, out}, {last.y + out, out}));
+    pieces_.insert(pieces_.begin(), tail({first.y - in, in}, {first.y, in}));
+  }
+
+  const StitchGraph& graph_;
+  const Arrangement& arrangement_;
+  LoopSize size_;
+  double diameter_;
+  int material_ = 0;
+  std::vector<CurvePiece> pieces_;
+};
+
+}  // namespace
+
+Curves draw(const StitchGraph& graph, const Arrangement& arrangement, const LoopSize& size, double diameter) {
+  return Drawing(graph, arrangement, size, diameter).draw();
+}
+
+}  // namespace wale::passes
