@@ -40,7 +40,10 @@ Knitted knit_knitout(const Source& source, Diagnostics& say) {
   passes::check_program(program, say);
   std::optional<StitchGraph> graph;
   if (say.error_count() == errors) graph = passes::knit(program, say);
-  if (graph) passes::check_graph(*graph, say);
+  if (graph) {
+    passes::check_graph(*graph, say);
+    passes::check_knitting(program, *graph, say);
+  }
   if (!graph) graph = passes::knit_all(program);
   return {std::move(program), std::move(*graph)};
 }
