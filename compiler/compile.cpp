@@ -30,8 +30,22 @@ std::optional<Compiled> compile_chart(Chart chart, int segments_per_stitch, Diag
   if (!fabric || say.failed()) return std::nullopt;
   Gauge gauge = gauge_of(*layout, *fabric);
   auto crossings = demanded_crossings(*layout, *fabric);
-  return Compiled{std::move(chart), std::move(*program), std::move(*graph), std::move(*layout),
-                  std::move(*fabric), std::move(gauge),  std::move(crossings)};
+  return Compiled{std::move(chart),   std::move(*program), std::move(*graph),   std::move(*layout),
+                  std::move(*fabric), std::move(gauge),    std::move(crossings)};
+}
+
+Knitted knit_knitout(const Source& source, Diagnostics& say) {
+  const std::size_t errors = say.error_count();
+  Program program = passes::parse_knitout(source, say);
+  passes::check_program(program, say);
+  std::optional<StitchGraph> graph;
+  if (say.error_count() == errors) graph = passes::knit(program, say);
+  if (graph) {
+    passes::check_graph(*graph, say);
+    passes::check_knitting(program, *graph, say);
+  }
+  if (!graph) graph = passes::knit_all(program);
+  return {std::move(program), std::move(*graph)};
 }
 
 std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagnostics& say) {
@@ -49,8 +63,8 @@ std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagn
   for (Stage& stage : parsed->stages)
     for (EffectSpec& effect : stage.effects)
       if (Knots* knots = std::get_if<Knots>(&effect)) knots->knots = ends.knots;
-  return Scene{parsed->name, std::move(compiled->fabric), std::move(parsed->stages), std::move(compiled->gauge), {},
-               std::move(compiled->crossings)};
+  return Scene{parsed->name, std::move(compiled->fabric),   std::move(parsed->stages), std::move(compiled->gauge),
+               {},           std::move(compiled->crossings)};
 }
 
 }  // namespace wale

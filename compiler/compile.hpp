@@ -23,6 +23,16 @@ struct Compiled {
 std::optional<Compiled> compile_chart(const Source&, const ChartOverrides&, int segments_per_stitch, Diagnostics&);
 std::optional<Compiled> compile_chart(Chart, int segments_per_stitch, Diagnostics&);
 
+/// What a knitout file makes.
+struct Knitted {
+  Program program;
+  StitchGraph graph;
+};
+
+/// A knitout file to its stitch graph. Gives what there is even if an error was reported: faulty lines are left out,
+/// and faulty instructions done as far as they make sense.
+Knitted knit_knitout(const Source&, Diagnostics&);
+
 /// A scene file, and the chart that it names (read through `sources`, relative to the scene file), to a Scene.
 std::optional<Scene> compile_scene(const Source&, Sources& sources, Diagnostics&);
 

@@ -30,6 +30,8 @@ std::optional<StitchGraph> knit(const Program&, Diagnostics&);
 StitchGraph knit_all(const Program&);
 /// Loops that hold nothing, what would unravel.
 void check_graph(const StitchGraph&, Diagnostics&);
+/// What a machine does with its own program, and a knitter would regret: loops left on needles, dropped columns.
+void check_knitting(const Program&, const StitchGraph&, Diagnostics&);
 std::optional<Layout> place(const StitchGraph&, const Chart&, Diagnostics&);
 /// One smooth curve a yarn, through the right side of each loop.
 std::optional<Curves> thread(const Layout&, const Chart&, Diagnostics&);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace wale {
@@ -20,6 +21,20 @@ void print_loop(const StitchGraph& graph, int i, std::string& text) {
 }
 
 }  // namespace
+
+std::vector<int> courses_of(const StitchGraph& graph) {
+  std::vector<int> courses(graph.loops.size(), 0), previous(graph.loops.size(), -1);
+  for (const YarnPath& yarn : graph.yarns)
+    for (std::size_t i = 1; i < yarn.loops.size(); ++i)
+      previous[static_cast<std::size_t>(yarn.loops[i])] = yarn.loops[i - 1];
+  for (std::size_t i = 0; i < graph.loops.size(); ++i) {
+    const Loop& loop = graph.loops[i];
+    for (const int below : loop.through)
+      courses[i] = std::max(courses[i], courses[static_cast<std::size_t>(below)] + 1);
+    if (loop.through.empty() && previous[i] >= 0) courses[i] = courses[static_cast<std::size_t>(previous[i])];
+  }
+  return courses;
+}
 
 std::string print(const StitchGraph& graph) {
   std::string text;

@@ -75,7 +75,12 @@ struct StitchGraph {
   std::vector<Loop> loops;  ///< in the order they were made, all yarns
   std::vector<YarnPath> yarns;
   std::vector<HeldLoops> on_needles;  ///< by bed, then from left to right
+  int widest = 0;                     ///< needles that held loops at the same time, at most
 };
+
+/// The course of each loop, from 0: one above the highest loop that it is pulled through; a loop through nothing lies
+/// beside the one before it on its yarn.
+std::vector<int> courses_of(const StitchGraph&);
 
 /// One loop a line; what `--show graph` prints.
 std::string print(const StitchGraph&);

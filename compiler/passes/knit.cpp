@@ -66,7 +66,12 @@ class Machine {
     if (takes_out(at.op))
       for (const int carrier : at.carriers) take_out(end_of(carrier), now_);
     if (!works_needle(at.op)) return;
-    if (makes_or_moves_loops(at)) stitch(at);
+    if (makes_or_moves_loops(at)) {
+      const int before = in_use(at);
+      stitch(at);
+      needles_in_use_ += in_use(at) - before;
+      graph_.widest = std::max(graph_.widest, needles_in_use_);
+    }
     if (at.op == Op::split) drag(at);
     if (at.op == Op::miss)
       for (const int carrier : at.carriers) miss(at, end_of(carrier));
@@ -86,6 +91,11 @@ class Machine {
  private:
   static bool makes_or_moves_loops(const Instruction& at) {
     return at.op == Op::knit || at.op == Op::split || (at.op == Op::tuck && !at.carriers.empty());
+  }
+
+  /// How many of the needles that an instruction works hold loops.
+  int in_use(const Instruction& at) {
+    return (beds_.at(at.needle).empty() ? 0 : 1) + (at.op != Op::split || beds_.at(at.other).empty() ? 0 : 1);
   }
 
   YarnEnd& end_of(int carrier) { return ends_[static_cast<std::size_t>(carrier)]; }
@@ -206,6 +216,7 @@ class Machine {
   std::vector<bool> pulled_through_;  // by loop: whether something was pulled through it
   StitchGraph graph_;
   std::size_t ties_ = 0;
+  int needles_in_use_ = 0;
   int now_ = 0;  // the instruction at hand
 };
 

@@ -28,9 +28,18 @@ inline constexpr std::string_view carrier_left_in = "P020";
 inline constexpr std::string_view carrier_unused = "P021";
 inline constexpr std::string_view racked_far = "P022";
 
+inline constexpr std::string_view hook_busy = "P023";
+inline constexpr std::string_view hook_release = "P024";
+inline constexpr std::string_view miss_without_yarn = "P025";
+
 inline constexpr std::string_view knit_on_empty = "G001";
 inline constexpr std::string_view loop_runs = "G002";
 inline constexpr std::string_view long_float = "G003";
+inline constexpr std::string_view loops_left = "G004";
+inline constexpr std::string_view stack_high = "G005";
+inline constexpr std::string_view column_unravels = "G006";
+inline constexpr std::string_view loose_end = "G007";
+inline constexpr std::string_view empty_needle = "G008";
 
 /// A code, how bad it is, what it means, and an example of what to write instead.
 struct ProgramCode {
@@ -64,12 +73,31 @@ inline constexpr auto program_codes = std::to_array<ProgramCode>({
      "cut the program into several"},
     {carrier_left_in, Severity::warning, "a carrier is still in at the end", "out a ; after its last stitch"},
     {carrier_unused, Severity::warning, "a carrier is brought in and never knits", "in a\nknit + f0 a\nout a"},
-    {racked_far, Severity::warning, "the beds are racked farther than most machines go", "rack 4"},
+    {racked_far, Severity::warning,
+     "the beds are racked farther than the machine goes: 8 needles on a Shima SWG, 2 on a Kniterate, 4 if no header "
+     "says which",
+     "rack 2"},
+    {hook_busy, Severity::warning, "the inserting hook is wanted while it still holds another carrier's yarn",
+     "inhook 1\ntuck - f2 1\ntuck - f1 1\nreleasehook 1\ninhook 2"},
+    {hook_release, Severity::warning,
+     "the hook is released while it is empty, holds other carriers, or before the yarn has been stitched",
+     "inhook 1\ntuck - f2 1\nreleasehook 1"},
+    {miss_without_yarn, Severity::warning, "a miss names no carrier, so nothing moves", "miss + f5 1"},
     {knit_on_empty, Severity::warning, "a loop is knit on an empty needle above the cast-on",
      "tuck + f0 a ; if a new loop is meant"},
     {loop_runs, Severity::warning, "a loop holds nothing and nothing holds it, so it will run",
      "knit + f0 a ; before its needle drops it"},
     {long_float, Severity::warning, "yarn floats past more than 20 needles", "tuck + f10 a ; on the way"},
+    {loops_left, Severity::warning, "loops are left on the needles at the end; they stay as a live edge",
+     "xfer f1 b1\nxfer b1 f2\nknit + f2 1 ; bind off from the left, or: drop f1"},
+    {stack_high, Severity::warning, "a needle holds more loops than a hook takes well: four",
+     "knit + f0 1 ; before the next tuck"},
+    {column_unravels, Severity::warning, "a live loop is dropped, so that its column unravels",
+     "knit + f0 1 ; before: drop f0"},
+    {loose_end, Severity::warning, "a carrier goes out after its last loop was dropped, so its yarn's end is loose",
+     "out 1\ndrop f0"},
+    {empty_needle, Severity::note, "a needle without loops is dropped or transferred, which does nothing",
+     "leave the line out"},
 });
 
 }  // namespace wale::codes

@@ -3,26 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace wale {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string_view name_of(Bed bed) {
-  switch (bed) {
-    case Bed::front:
-      return "f";
-    case Bed::back:
-      return "b";
-    case Bed::front_slider:
-      return "fs";
-    case Bed::back_slider:
-      break;
-  }
-  return "bs";
-}
 
 std::string_view sign_of(Direction direction) {
   if (direction == Direction::none) return "";
@@ -41,14 +28,33 @@ long carriers_in(const Program& program) {
   return std::count(in.begin(), in.end(), true);
 }
 
-/// Loops still on each bed. No transfer follows the last course, so a loop hangs where it was made.
 Json on_needles(const StitchGraph& graph) {
-  Json held = {{"f", 0}, {"b", 0}, {"fs", 0}, {"bs", 0}};
+  std::array<std::size_t, 4> held{};  // by Bed
+  for (const HeldLoops& needle : graph.on_needles)
+    held[static_cast<std::size_t>(needle.needle.bed)] += needle.loops.size();
+  return {{"f", held[0]}, {"b", held[1]}, {"fs", held[2]}, {"bs", held[3]}};
+}
+
+std::string_view operation_of(const Loop& loop, const Program& program) {
+  if (loop.kind == LoopKind::tuck) return "tuck";
+  return program.code[static_cast<std::size_t>(loop.instruction)].op == Op::split ? "split" : "knit";
+}
+
+struct Stitches {
+  long knits = 0, tucks = 0, splits = 0, on_empty = 0;
+};
+
+Stitches count_stitches(const Program& program, const StitchGraph& graph) {
+  Stitches count;
   for (const Loop& loop : graph.loops) {
-    if (loop.held)
-      held[std::string(name_of(loop.needle.bed))] = held[std::string(name_of(loop.needle.bed))].get<int>() + 1;
+    if (loop.kind == LoopKind::tuck)
+      ++count.tucks;
+    else if (loop.through.empty())
+      ++count.on_empty;
+    else
+      ++(operation_of(loop, program) == "split" ? count.splits : count.knits);
   }
-  return held;
+  return count;
 }
 
 }  // namespace
@@ -94,30 +100,26 @@ Json to_json(const Diagnostics& diagnostics) {
   return list;
 }
 
-Json counts(const Compiled& compiled) {
-  const StitchGraph& graph = compiled.graph;
-  const std::vector<Instruction>& code = compiled.program.code;
-  const auto is_knit = [](const Loop& loop) { return loop.kind == LoopKind::knit; };
-  const auto on_empty = [&](const Loop& loop) { return is_knit(loop) && loop.through.empty(); };
-  const auto is_split = [](const Instruction& each) { return each.op == Op::split && !each.carriers.empty(); };
-  const auto knits = std::count_if(graph.loops.begin(), graph.loops.end(), is_knit);
+Json counts(const Program& program, const StitchGraph& graph) {
+  const Stitches stitches = count_stitches(program, graph);
   std::size_t edges = 0;
   for (const Loop& loop : graph.loops) edges += loop.through.size();
-  return {{"courses", compiled.chart.course_count()},
-          {"wales", compiled.chart.wales()},
-          {"instructions", code.size()},
+  const std::vector<int> courses = courses_of(graph);
+  return {{"courses", courses.empty() ? 0 : *std::max_element(courses.begin(), courses.end()) + 1},
+          {"wales", graph.widest},
+          {"instructions", program.code.size()},
           {"loops", graph.loops.size()},
           {"edges", edges},
-          {"knits", knits},
-          {"tucks", static_cast<long>(graph.loops.size()) - knits},
-          {"splits", std::count_if(code.begin(), code.end(), is_split)},
-          {"knits_on_empty", std::count_if(graph.loops.begin(), graph.loops.end(), on_empty)},
+          {"knits", stitches.knits},
+          {"tucks", stitches.tucks},
+          {"splits", stitches.splits},
+          {"knits_on_empty", stitches.on_empty},
           {"on_needles", on_needles(graph)},
           {"yarns", graph.yarns.size()},
-          {"carriers_in", carriers_in(compiled.program)}};
+          {"carriers_in", carriers_in(program)}};
 }
 
-Json loops_json(const StitchGraph& graph) {
+Json loops_json(const Program& program, const StitchGraph& graph) {
   std::vector<int> previous(graph.loops.size(), -1);
   for (const YarnPath& yarn : graph.yarns) {
     for (std::size_t i = 1; i < yarn.loops.size(); ++i)
@@ -130,9 +132,9 @@ Json loops_json(const StitchGraph& graph) {
     list.push_back({{"id", id},
                     {"carrier", graph.carriers[static_cast<std::size_t>(loop.carrier)]},
                     {"direction", sign_of(loop.direction)},
-                    {"needle", fmt::format("{}{}", name_of(loop.needle.bed), loop.needle.index)},
+                    {"needle", print(loop.needle)},
                     {"line", line_of(loop.span)},
-                    {"op", loop.kind == LoopKind::knit ? "knit" : "tuck"},
+                    {"op", operation_of(loop, program)},
                     {"parents", loop.through},
                     {"previous", previous[id] < 0 ? Json() : Json(previous[id])}});
   }

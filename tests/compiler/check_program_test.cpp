@@ -54,5 +54,36 @@ TEST(CheckProgram, WarnsOfABedRackedFartherThanMachinesGo) {
   EXPECT_EQ(codes_of("rack 4\nrack -4.5\nrack 0\n"), Codes{codes::racked_far});
 }
 
+TEST(CheckProgram, KnowsHowFarAMachineRacks) {
+  Program program = make_program("rack 3\nrack 5\nrack 9\n");
+  const std::map<std::string, std::size_t> warnings{{"Kniterate", 3}, {"SWG091N2", 1}, {"", 2}};
+  for (const auto& [machine, count] : warnings) {
+    program.machine = machine;
+    EXPECT_EQ(check(program).all().size(), count) << machine;
+  }
+}
+
+TEST(CheckProgram, RefusesABedRackedOutOfTheRoom) {
+  EXPECT_EQ(codes_of("rack 1000000\n"), (Codes{codes::racking_absurd, codes::racked_far}));
+}
+
+TEST(CheckProgram, WarnsOfAHookThatIsAskedTooMuch) {
+  const std::string one = "inhook a\nknit - f0 a\n";
+  EXPECT_EQ(codes_of(one + "releasehook a\nouthook a\n"), Codes{});
+  EXPECT_EQ(codes_of(one + "inhook b\nknit - f0 b\nreleasehook b\nout a b\n"), Codes{codes::hook_busy});
+  EXPECT_EQ(codes_of(one + "outhook a\n"), Codes{codes::hook_busy});
+  EXPECT_EQ(codes_of("releasehook a\n"), Codes{codes::hook_release});
+  EXPECT_EQ(codes_of("inhook a\nreleasehook a\nknit - f0 a\nout a\n"), Codes{codes::hook_release});
+  EXPECT_EQ(codes_of(one + "in b\nknit - f0 b\nreleasehook b\nout a b\n"), Codes{codes::hook_release});
+}
+
+TEST(CheckProgram, WarnsOfAMissThatMovesNothing) {
+  Program program = make_program("miss + f0 a\nmiss + f0 a\n");
+  for (Instruction& at : program.code) at.carriers.clear();
+  const Diagnostics say = check(program);
+  ASSERT_EQ(say.all().size(), 1u);
+  EXPECT_EQ(say.all()[0].code, codes::miss_without_yarn);
+}
+
 }  // namespace
 }  // namespace wale

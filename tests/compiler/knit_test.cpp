@@ -106,6 +106,88 @@ TEST(Knit, BeginsANewYarnWhereACarrierComesInAgain) {
   EXPECT_EQ(graph.loops[1].course, 0);
 }
 
+TEST(Knit, RemembersTheNeedlesThatALoopWasOn) {
+  const StitchGraph graph = knit("in a\nknit + f3 a\nrack 2\nxfer f3 b1\nrack 1\nxfer b1 fs2\nxfer fs2 b1\n");
+  const Loop& loop = graph.loops[0];
+  ASSERT_EQ(loop.moves.size(), 3u);
+  EXPECT_EQ(loop.moves[0].to, (Needle{Bed::back, 1}));
+  EXPECT_EQ(loop.moves[0].racking, 2);
+  EXPECT_EQ(loop.moves[0].instruction, 3);
+  EXPECT_EQ(loop.moves[1].to, (Needle{Bed::front_slider, 2}));
+  EXPECT_EQ(loop.last_needle, (Needle{Bed::back, 1}));
+  EXPECT_EQ(loop.last_racking, 1);
+  EXPECT_EQ(loop.instruction, 1);
+  EXPECT_EQ(loop.released, -1);
+  ASSERT_EQ(graph.on_needles.size(), 1u);
+  EXPECT_EQ(graph.on_needles[0].needle, (Needle{Bed::back, 1}));
+}
+
+TEST(Knit, TellsADroppedLoopFromOneThatHoldsAnother) {
+  const StitchGraph graph = knit("in a\nknit + f0 a\nsplit + f0 b0 a\ndrop b0\ndrop f0\n");
+  EXPECT_FALSE(graph.loops[0].dropped) << "loop 1 is pulled through it";
+  EXPECT_EQ(graph.loops[0].released, 3);
+  EXPECT_TRUE(graph.loops[1].dropped);
+  EXPECT_EQ(graph.loops[1].released, 4);
+}
+
+TEST(Knit, TakesWaitingCarriersAlongWithATransfer) {
+  const StitchGraph graph = knit(
+      "in a\nin b\nknit + f1 a\nknit + f2 a\nmiss + f3 b\nxfer f2 b2\nrack -1\nxfer b2 f1\nxfer f3 b4\nknit - f0 a\n"
+      "miss - f3 b\n");
+  EXPECT_EQ(graph.loops[2].from.needle, (Needle{Bed::front, 1}));
+  EXPECT_EQ(graph.loops[2].from.side, Direction::increasing);
+  EXPECT_EQ(graph.loops[0].from.side, Direction::none);
+  const StitchGraph empty = knit("in a\nknit + f1 a\nmiss + f3 a\nxfer f3 b3\nknit - f1 a\n");
+  EXPECT_EQ(empty.loops[1].from.needle, (Needle{Bed::back, 3})) << "a needle without loops takes carriers along too";
+}
+
+TEST(Knit, DoesNotDragTheCarrierThatSplits) {
+  const StitchGraph graph = knit("in a\nknit + f1 a\nsplit + f1 b1 a\nknit - f1 a\n");
+  EXPECT_EQ(graph.loops[2].from.needle, (Needle{Bed::front, 1}));
+}
+
+TEST(Knit, ListsTheNeedlesThatAYarnPasses) {
+  const StitchGraph graph = knit("in a\nmiss - f9 a\nknit - f5 a\nrack 0.25\nmiss - b3 a\nknit - f1 a\nout a\n");
+  const YarnPath& yarn = graph.yarns.at(0);
+  ASSERT_EQ(yarn.misses.size(), 2u);
+  EXPECT_EQ(yarn.misses[0].loops_before, 0);
+  EXPECT_EQ(yarn.misses[1].loops_before, 1);
+  EXPECT_EQ(yarn.misses[1].needle, (Needle{Bed::back, 3}));
+  EXPECT_EQ(yarn.misses[1].racking, 0.25);
+  EXPECT_EQ(yarn.came_in, 0);
+  EXPECT_EQ(yarn.went_out, 6);
+  EXPECT_EQ(yarn.end.needle, (Needle{Bed::front, 1}));
+}
+
+TEST(Knit, CountsTheNeedlesInUse) {
+  EXPECT_EQ(knit("in a\nknit + f0 a\nknit + f1 a\nxfer f0 b0\nxfer f1 b1\nknit - b0 a\n").widest, 2);
+}
+
+TEST(Knit, RefusesToPileUpLoopsWithoutEnd) {
+  std::string text = "in a\n";
+  for (int i = 0; i < 101; ++i) text += "tuck + f0 a\n";
+  Diagnostics say;
+  EXPECT_FALSE(passes::knit(make_program(text), say));
+  EXPECT_EQ(say.all().at(0).code, codes::stack_absurd);
+}
+
+TEST(Knit, GoesOnPastFaultsWhenAsked) {
+  const StitchGraph graph = passes::knit_all(
+      make_program("knit + f1 a\nin a\nknit + f2 a a\nxfer f2 f2\nxfer f2 f1\nknit - f2000000000 a\nknit + fs1 a\n"));
+  EXPECT_EQ(graph.loops.size(), 3u);
+  EXPECT_EQ(graph.yarns.size(), 1u);
+  ASSERT_EQ(graph.on_needles.size(), 2u);
+  EXPECT_EQ(graph.on_needles[0].loops, (Loops{0, 1}));
+}
+
+TEST(Knit, CountsCoursesFromTheCastOn) {
+  // A cast-on to and fro, a course of knits, then a tuck that the next course takes up.
+  const StitchGraph graph = knit(
+      "in a\ntuck - f2 a\ntuck - f0 a\ntuck + f1 a\nknit - f2 a\nknit - f1 a\nknit - f0 a\nknit + f0 a\ntuck + f1 a\n"
+      "knit + f2 a\nknit - f2 a\nknit - f1 a\nknit - f0 a\n");
+  EXPECT_EQ(courses_of(graph), (Loops{0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3}));
+}
+
 TEST(Knit, TakesNegativeNeedles) { EXPECT_EQ(through(knit("in a\nknit + f-3 a\nknit - f-3 a\n"), 1), Loops{0}); }
 
 TEST(Knit, LeavesTheOrderOfALoweredChartAsMade) {

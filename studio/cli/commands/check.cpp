@@ -26,9 +26,15 @@ Json check_source(const Source& source, Sources& sources, bool loops, Diagnostic
   if (kind_of(source) == FileKind::scene) {
     const std::optional<Scene> scene = compile_scene(source, sources, say);
     if (scene) report.update(Json{{"stages", scene->stages.size()}, {"segments", scene->fabric.segments.size()}});
+  } else if (kind_of(source) == FileKind::knitout) {
+    const Knitted knitted = knit_knitout(source, say);
+    report.update(counts(knitted.program, knitted.graph));
+    if (loops) report["loop_list"] = loops_json(knitted.program, knitted.graph);
   } else if (const auto compiled = compile_chart(source, {}, segments_per_stitch, say)) {
-    report.update(counts(*compiled));
-    if (loops) report["loop_list"] = loops_json(compiled->graph);
+    report.update(counts(compiled->program, compiled->graph));
+    report["courses"] = compiled->chart.course_count();
+    report["wales"] = compiled->chart.wales();
+    if (loops) report["loop_list"] = loops_json(compiled->program, compiled->graph);
   }
   report["diagnostics"] = to_json(say);
   return report;
@@ -50,7 +56,6 @@ int check(const CheckOptions& options) {
     Sources sources;
     Diagnostics say;
     const Source* source = read_or_complain(sources, path);
-    if (source && is_knitout(*source)) source = nullptr;
     reports.push_back(source ? check_source(*source, sources, options.loops, say)
                              : Json{{"file", path}, {"readable", false}});
     print_all(say);
@@ -66,8 +71,9 @@ int check(const CheckOptions& options) {
 
 void add_check(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "Says what is wrong with charts and scenes; writes nothing");
-  command->add_option("FILE", options->files, "Charts or scenes")->required();
+  CLI::App* command =
+      app.add_subcommand("check", "Says what is wrong with charts, scenes and knitout files; writes nothing");
+  command->add_option("FILE", options->files, "Charts, scenes or knitout files")->required();
   command->add_flag("--json", options->json, "Print one JSON object");
   command->add_flag("--loops", options->loops, "With --json: list every loop too");
   command->callback([options, &exit_code] { exit_code = check(*options); });
