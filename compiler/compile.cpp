@@ -7,14 +7,14 @@
 
 namespace wale {
 
-std::optional<Compiled> compile_chart(const Source& source, const ChartOverrides& overrides, int segments_per_stitch,
+std::optional<CompiledChart> compile_chart(const Source& source, const ChartOverrides& overrides, int segments_per_stitch,
                                       Diagnostics& say) {
   auto chart = passes::parse_chart(source, overrides, say);
   if (!chart) return std::nullopt;
   return compile_chart(std::move(*chart), segments_per_stitch, say);
 }
 
-std::optional<Compiled> compile_chart(Chart chart, int segments_per_stitch, Diagnostics& say) {
+std::optional<CompiledChart> compile_chart(Chart chart, int segments_per_stitch, Diagnostics& say) {
   auto program = passes::lower_chart(chart, say);
   if (!program) return std::nullopt;
   passes::check_program(*program, say);
@@ -26,12 +26,13 @@ std::optional<Compiled> compile_chart(Chart chart, int segments_per_stitch, Diag
   if (!layout) return std::nullopt;
   const auto curves = passes::thread(*layout, chart, say);
   if (!curves) return std::nullopt;
-  auto fabric = passes::fit(*curves, chart, segments_per_stitch, say);
-  if (!fabric || say.failed()) return std::nullopt;
-  Gauge gauge = gauge_of(*layout, *fabric);
-  auto crossings = demanded_crossings(*layout, *fabric);
-  return Compiled{std::move(chart),   std::move(*program), std::move(*graph),   std::move(*layout),
-                  std::move(*fabric), std::move(gauge),    std::move(crossings)};
+  if (say.failed()) return std::nullopt;
+  Fabric fabric = passes::fit(*curves, chart.materials(), segments_per_stitch);
+  Gauge gauge = gauge_of(*layout, fabric);
+  auto crossings = demanded_crossings(*graph, fabric);
+  Compiled compiled{chart.name,        std::move(*program), std::move(*graph),
+                    std::move(fabric), std::move(gauge),    std::move(crossings)};
+  return CompiledChart{std::move(compiled), std::move(chart), std::move(*layout)};
 }
 
 Knitted knit_knitout(const Source& source, Diagnostics& say) {
@@ -48,12 +49,65 @@ Knitted knit_knitout(const Source& source, Diagnostics& say) {
   return {std::move(program), std::move(*graph)};
 }
 
+YarnChoice yarn_choice(const ChartOverrides& changes) {
+  YarnChoice choice;
+  choice.material = changes.material.value_or(choice.material);
+  choice.stitch_length = changes.stitch_length.value_or(choice.stitch_length);
+  return choice;
+}
+
+std::optional<CompiledKnitout> compile_knitout(const Source& source, const YarnChoice& yarn, int segments_per_stitch,
+                                               Diagnostics& say) {
+  const std::size_t errors = say.error_count();
+  auto [program, graph] = knit_knitout(source, say);
+  if (say.error_count() > errors) return std::nullopt;
+  double longest = 0;
+  for (Loop& loop : graph.loops) {
+    if (loop.stitch_length <= 0) loop.stitch_length = yarn.stitch_length;
+    longest = std::max(longest, loop.stitch_length);
+  }
+  const double diameter = yarn.material.diameter;
+  const LoopSize size = large_enough(diameter, longest);
+  Arrangement arrangement = passes::arrange(graph, size, diameter);
+  const Curves curves = passes::draw(graph, arrangement, size, diameter);
+  const std::vector<Material> materials(program.carriers.size(), yarn.material);
+  Fabric fabric = passes::fit(curves, materials, segments_per_stitch);
+  auto crossings = demanded_crossings(graph, fabric);
+  passes::prove(graph, fabric, crossings, say);
+  if (say.error_count() > errors) return std::nullopt;
+  Gauge gauge = gauge_of(graph, fabric);
+  Compiled compiled{source.name,       std::move(program), std::move(graph),
+                    std::move(fabric), std::move(gauge),   std::move(crossings)};
+  return CompiledKnitout{std::move(compiled), std::move(arrangement)};
+}
+
+namespace {
+
+/// By suffix or by its first line.
+bool is_knitout(const Source& source) {
+  return source.name.ends_with(".k") || source.name.ends_with(".knitout") || source.text.starts_with(";!knitout");
+}
+
+template <class C>
+std::optional<Compiled> common(std::optional<C> compiled) {
+  if (!compiled) return std::nullopt;
+  return std::move(static_cast<Compiled&>(*compiled));
+}
+
+std::optional<Compiled> compile_pattern(const Source& source, const ParsedScene& scene, Diagnostics& say) {
+  if (is_knitout(source))
+    return common(compile_knitout(source, yarn_choice(scene.overrides), scene.segments_per_stitch, say));
+  return common(compile_chart(source, scene.overrides, scene.segments_per_stitch, say));
+}
+
+}  // namespace
+
 std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagnostics& say) {
   auto parsed = parse_scene(source, say);
   if (!parsed) return std::nullopt;
   const Source* pattern = read_pattern(*parsed, sources, say);
   if (!pattern) return std::nullopt;
-  auto compiled = compile_chart(*pattern, parsed->overrides, parsed->segments_per_stitch, say);
+  auto compiled = compile_pattern(*pattern, *parsed, say);
   if (!compiled) return std::nullopt;
 
   double diameter = 0;

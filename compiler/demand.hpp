@@ -9,11 +9,14 @@
 namespace wale {
 
 /// Both sides of every loop that is pulled through another; at a selvedge only the inner side.
-std::vector<Crossing> demanded_crossings(const Layout&, const Fabric&);
+std::vector<Crossing> demanded_crossings(const StitchGraph&, const Fabric&);
 
 /// The ends of a swatch: cast-on and first course, last course and bind-off; the first and the last wale with the yarn
 /// that joins courses there. A tube has no course ends.
 Gauge gauge_of(const Layout&, const Fabric&);
+/// The feet of loops made on empty needles in the first course; the heads of the loops left on needles or, if there are
+/// none, those of the last course.
+Gauge gauge_of(const StitchGraph&, const Fabric&);
 
 /// Ties both ends of every yarn to the nearest stitch, one contact diameter away.
 Knots secured_ends(const Fabric&);

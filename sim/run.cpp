@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "sim/clasps.hpp"
 #include "sim/effects/beads.hpp"
 #include "sim/mount.hpp"
 #include "sim/results/curves.hpp"
@@ -145,7 +146,7 @@ class Run {
     const auto measured = setup.measure(*world, state);
     row.insert(row.end(), measured.begin(), measured.end());
     append_row(results_.samples, row);
-    results_.topology = worse(results_.topology, clasps_.follow(state.q));
+    results_.topology = worse(results_.topology, tally(clasps_.follow(state.q)));
     if (!world->parts().made_beads.empty()) results_.contact_samples = world->parts().made_beads.begin()->second->total();
   }
 

@@ -43,7 +43,7 @@ void write_yarns(const Compiled& compiled, const std::string& chart_name, const 
   if (suffix == ".obj") write_file(path, to_obj(fabric, fabric.points));
   if (suffix == ".bcc") write_file(path, to_bcc(fabric, fabric.points));
   if (suffix == ".svg")
-    write_file(path, fabric_svg(fabric, fabric.points, {compiled.chart.name, ColourBy::material, 0, {}, 900}));
+    write_file(path, fabric_svg(fabric, fabric.points, {compiled.name, ColourBy::material, 0, {}, 900}));
 }
 
 }  // namespace wale

@@ -12,7 +12,7 @@
 namespace wale {
 namespace {
 
-Compiled compiled(const Chart& chart, int segments) {
+CompiledChart compiled(const Chart& chart, int segments) {
   Diagnostics say;
   auto made = compile_chart(chart, segments, say);
   if (!made) throw std::runtime_error("the chart was refused");
@@ -29,7 +29,7 @@ struct Meeting {
 /// The drawing, read by loops.
 class Reading {
  public:
-  Reading(const Compiled& made, const Points& q) : made_(made) {
+  Reading(const CompiledChart& made, const Points& q) : made_(made) {
     const Drawn drawn = drawn_from_the_face(made.fabric, q, made.layout.form == Form::tube);
     find_feet(drawn);
     for (const SeenCrossing& seen : projected_crossings(drawn)) {
@@ -67,7 +67,7 @@ class Reading {
 
   int stitch_at(double along) const { return std::prev(starts_.upper_bound(along))->second; }
 
-  const Compiled& made_;
+  const CompiledChart& made_;
   std::map<int, std::vector<Meeting>> meetings_;
   std::map<double, int> starts_;  // where along the yarn each stitch or edge begins
   int among_edges_ = 0;
@@ -116,7 +116,7 @@ void expect_bind_off(Reading& reading, const Layout& layout) {
   }
 }
 
-void expect_demanded_crossings(const Compiled& made) {
+void expect_demanded_crossings(const CompiledChart& made) {
   Reading reading(made, made.fabric.points);
   const Layout& layout = made.layout;
   const auto& rows = layout.rows;
@@ -154,7 +154,7 @@ TEST(CompiledTopology, HoldsAtFinerSegments) {
 TEST(CheckCrossings, FindsAllThatACompiledFabricDemandsAndNoneInItsMirrorImage) {
   for (const auto& [name, chart] : all_structures()) {
     SCOPED_TRACE(name);
-    const Compiled made = compiled(chart, 12);
+    const CompiledChart made = compiled(chart, 12);
     const Topology found = check_crossings(made.fabric, made.crossings, made.fabric.points);
     // A yarn's end and a selvedge have no loop beyond.
     const long sides = made.layout.form == Form::tube ? 2 * made.layout.wales * (made.layout.courses - 1) - 1
@@ -168,7 +168,7 @@ TEST(CheckCrossings, FindsAllThatACompiledFabricDemandsAndNoneInItsMirrorImage) 
 }
 
 /// Pushes one leg of the loop at this place through the head of the loop below.
-Points with_a_leg_pushed_through(const Compiled& made, std::size_t course, std::size_t wale, std::size_t leg) {
+Points with_a_leg_pushed_through(const CompiledChart& made, std::size_t course, std::size_t wale, std::size_t leg) {
   const PlacedLoop &child = made.layout.rows[course][wale], &parent = made.layout.rows[course - 1][wale];
   Reading reading(made, made.fabric.points);
   const double at = reading.between(child.loop, parent.loop)[leg].here;
@@ -181,7 +181,7 @@ Points with_a_leg_pushed_through(const Compiled& made, std::size_t course, std::
 TEST(CheckCrossings, NoticesASingleLegThatSlippedThrough) {
   for (const auto& [name, chart] : basic_structures(5, 4, Form::flat)) {
     SCOPED_TRACE(name);
-    const Compiled made = compiled(chart, 24);
+    const CompiledChart made = compiled(chart, 24);
     for (const std::size_t leg : {1U, 2U}) {
       const Points pushed = with_a_leg_pushed_through(made, 2, 3, leg);
       const Topology found = check_crossings(made.fabric, made.crossings, pushed);

@@ -29,11 +29,28 @@ ChartOverrides overrides(const CompileOptions& options, Sources& sources, Diagno
   return changes;
 }
 
-std::string show(const Compiled& compiled, const std::string& noun) {
+std::string show(const CompiledChart& compiled, const std::string& noun) {
   if (noun == "chart") return print(compiled.chart);
+  return noun == "program" ? print(compiled.program) : noun == "graph" ? print(compiled.graph) : print(compiled.layout);
+}
+
+std::string show(const CompiledKnitout& compiled, const std::string& noun) {
   if (noun == "program") return print(compiled.program);
-  if (noun == "graph") return print(compiled.graph);
-  return print(compiled.layout);
+  return noun == "graph" ? print(compiled.graph) : print(compiled.arrangement);
+}
+
+/// What a compiled file is asked for; its exit code.
+template <class C>
+int answer(const std::optional<C>& compiled, const CompileOptions& options, const Source& source, const Diagnostics& say) {
+  print_all(say);
+  if (!compiled) return bad_input;
+  if (!options.show.empty()) fmt::print("{}", show(*compiled, options.show));
+  try {
+    if (!options.out.empty()) write_yarns(*compiled, source.name, options.out);
+  } catch (const std::system_error& error) {
+    return complain_unwritable(options.out, error);
+  }
+  return success;
 }
 
 int compile(const CompileOptions& options) {
@@ -42,35 +59,34 @@ int compile(const CompileOptions& options) {
   if (!options.out.empty() && !can_write_yarns(options.out)) return bad_input;
   Sources sources;
   const Source* source = read_or_complain(sources, options.file);
-  if (!source || is_knitout(*source)) return bad_input;
+  if (!source) return bad_input;
   Diagnostics say;
   const ChartOverrides changes = overrides(options, sources, say);
-  std::optional<Compiled> compiled;
-  if (!say.failed()) compiled = compile_chart(*source, changes, options.segments, say);
-  print_all(say);
-  if (!compiled) return bad_input;
-  if (!options.show.empty()) fmt::print("{}", show(*compiled, options.show));
-  try {
-    if (!options.out.empty()) write_yarns(*compiled, source->name, options.out);
-  } catch (const std::system_error& error) {
-    return complain_unwritable(options.out, error);
+  if (kind_of(*source) != FileKind::knitout) {
+    std::optional<CompiledChart> compiled;
+    if (!say.failed()) compiled = compile_chart(*source, changes, options.segments, say);
+    return answer(compiled, options, *source, say);
   }
-  return success;
+  if (options.show == "chart")
+    return complain(source->name, "a knitout file has no chart", "--show program, graph or layout");
+  std::optional<CompiledKnitout> compiled;
+  if (!say.failed()) compiled = compile_knitout(*source, yarn_choice(changes), options.segments, say);
+  return answer(compiled, options, *source, say);
 }
 
 }  // namespace
 
 void add_compile(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CompileOptions>();
-  CLI::App* command = app.add_subcommand("compile", "Turns a chart into yarns");
-  command->add_option("FILE", options->file, "A chart")->required();
+  CLI::App* command = app.add_subcommand("compile", "Turns a chart or a knitout file into yarns");
+  command->add_option("FILE", options->file, "A chart or a knitout file")->required();
   command->add_option("-o,--out", options->out, "Where to: .h5 (exact), .vtp, .obj, .bcc or .svg");
   command->add_option("--show", options->show, "Print what stands between")
       ->check(CLI::IsMember({"chart", "program", "graph", "layout"}));
   command->add_option("--wales", options->wales, "Instead of the chart's");
   command->add_option("--courses", options->courses, "Instead of the chart's");
   command->add_option("--stitch-length", options->stitch_length, "Instead of the chart's, as in \"7.23 mm\"");
-  command->add_option("--segments", options->segments, "Spline segments a stitch")->check(CLI::Range(6, 200));
+  command->add_option("--segments", options->segments, "Spline segments a stitch")->check(CLI::Range(8, 200));
   command->callback([options, &exit_code] { exit_code = compile(*options); });
 }
 

@@ -1,0 +1,34 @@
+/// Whether each side of a loop is still pulled through the loop that it should be.
+#pragma once
+
+#include <vector>
+
+#include "sim/scene.hpp"
+
+namespace wale {
+
+/// The demanded crossings of a fabric, followed from state to state. Yarn slides through a pulled fabric, so that in the end
+/// not the segments cross that the compiler named; from one state to the next it slides little.
+class Clasps {
+ public:
+  Clasps(const Fabric&, const std::vector<Crossing>&);
+
+  /// Which of the crossings a state has, in their order: over all directions of view, the side of a loop crosses the loop that it was
+  /// pulled through twice, both times with `Crossing::sign`, rather than not at all. The state may be in any pose. Between
+  /// it and the one before, yarn may have slid by up to a quarter of a loop.
+  std::vector<bool> follow(const Points& q);
+
+ private:
+  struct Place {
+    int side = 0, loop = 0;  ///< segments by which the pieces that cross lie beyond those that the compiler named
+  };
+  int count(const Crossing&, const Place&, const Points& q) const;
+  bool within_yarn(const Crossing&, const Place&) const;
+  Place climb(const Crossing&, const Place& from, const Points& q) const;
+
+  const Fabric& fabric_;
+  const std::vector<Crossing>& crossings_;
+  std::vector<Place> places_;
+};
+
+}  // namespace wale
