@@ -63,11 +63,41 @@ class Hangings {
   Arrangement of_;
 };
 
+double needles_between(const StitchGraph& graph, const YarnStep& step) {
+  const Loop &from = graph.loops[static_cast<std::size_t>(step.from)], &to = graph.loops[static_cast<std::size_t>(step.to)];
+  return std::abs(position(to.needle, to.racking) - position(from.needle, from.racking));
+}
+
+/// At half gauge every other needle is empty; in a full rib both beds share the places.
+double columns_per_needle(const StitchGraph& graph, const std::vector<YarnStep>& steps) {
+  std::vector<double> ratios;
+  for (const YarnStep& step : steps) {
+    const double needles = needles_between(graph, step);
+    if (!step.turns && needles != 0) ratios.push_back(step.apart / needles);
+  }
+  if (ratios.empty()) return 1;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
+/// Needles that are empty yet, as in a cast-on that takes every fifth, will have their columns too.
+void leave_room(const StitchGraph& graph, std::vector<YarnStep>& steps) {
+  const double per_needle = columns_per_needle(graph, steps);
+  for (YarnStep& step : steps)
+    step.apart = std::max(step.apart, static_cast<int>(std::lround(per_needle * needles_between(graph, step))));
+}
+
 /// Finds where everything lies: stitches pull their neighbours to the distances of a loose fabric.
 class Arranging {
  public:
   Arranging(const StitchGraph& graph, const LoopSize& size, double diameter, Arrangement& of)
-      : graph_(graph), size_(size), diameter_(diameter), of_(of), courses_(courses_of(graph)) {}
+      : graph_(graph),
+        size_(size),
+        diameter_(diameter),
+        of_(of),
+        courses_(courses_of(graph)),
+        columns_per_needle_(columns_per_needle(graph, of.steps)) {}
 
   void solve() {
     const Eigen::VectorXd x = across(), y = upwards(), z = sheets();
@@ -103,7 +133,7 @@ class Arranging {
 
   Eigen::VectorXd across() const {
     Springs springs(of_.anchors.size());
-    const double per_needle = size_.wale() * columns_per_needle();
+    const double per_needle = size_.wale() * columns_per_needle_;
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
       springs.between(at(i).feet, at(i).head, 0, 1);
       springs.towards(at(i).feet, per_needle * position(loop(i).needle, loop(i).racking), faint);
@@ -113,20 +143,6 @@ class Arranging {
         springs.between(at(step.from).feet, at(step.to).feet, at(step.to).heading * step.apart * size_.wale(),
                         1.0 / (step.apart * step.apart));
     return springs.rest();
-  }
-
-  /// At half gauge every other needle is empty; in a full rib both beds share the places.
-  double columns_per_needle() const {
-    std::vector<double> ratios;
-    for (const YarnStep& step : of_.steps) {
-      const double needles = position(loop(step.to).needle, loop(step.to).racking) -
-                             position(loop(step.from).needle, loop(step.from).racking);
-      if (!step.turns && needles != 0) ratios.push_back(step.apart / std::abs(needles));
-    }
-    if (ratios.empty()) return 1;
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::nth_element(ratios.begin(), middle, ratios.end());
-    return *middle;
   }
 
   /// Where both beds knit a sheet each, as in a tube, the sheets lie apart; where stitches of both alternate they draw each
@@ -160,6 +176,7 @@ class Arranging {
   double diameter_;
   Arrangement& of_;
   std::vector<int> courses_;
+  double columns_per_needle_;
 };
 
 }  // namespace
@@ -167,6 +184,7 @@ class Arranging {
 Arrangement arrange(const StitchGraph& graph, const LoopSize& size, double diameter) {
   Arrangement arrangement = Hangings(graph).hang();
   arrangement.steps = yarn_steps(graph);
+  leave_room(graph, arrangement.steps);
   mark_crossing_loops(graph, arrangement);
   Arranging(graph, size, diameter, arrangement).solve();
   return arrangement;

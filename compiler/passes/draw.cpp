@@ -16,6 +16,8 @@ constexpr double aside = 1.1;         // of a loop that crosses another, in diam
 constexpr double turn_reach = 2;      // tangents of a turn, by its width
 constexpr double turn_shrink = 0.7;   // turns are drawn wide and knitted straight
 constexpr double same_sheet = 1.5;    // diameters: loops further off in depth are of the other face of a tube
+constexpr double long_way = 2.5;      // courses: no turn goes so far
+constexpr double beside = 1.3;        // wales beside the outermost loops
 
 class Drawing {
  public:
@@ -100,7 +102,7 @@ class Drawing {
   void join(const YarnStep& step, const Point& to) {
     const Point from = pieces_.back().at(1);
     std::vector<Point> stops{from};
-    for (const Vec3& at : passed(step, from.y, to.y)) stops.push_back({at, Vec3::Zero()});
+    for (const Vec3& at : on_the_way(step, from, to)) stops.push_back({at, Vec3::Zero()});
     stops.push_back(to);
     const bool straight = stops.size() == 2;
     const double reach = (step.turns && straight ? turn_reach : 1) * std::max((to.y - from.y).norm(), diameter_);
@@ -113,6 +115,22 @@ class Drawing {
                          step.turns ? turn_shrink : 1});
   }
 
+  std::vector<Vec3> on_the_way(const YarnStep& step, const Point& from, const Point& to) const {
+    if (std::abs(to.y.y() - from.y.y()) > long_way * size_.pitch) return round_the_side(from, to);
+    return passed(step, from.y, to.y);
+  }
+
+  /// A yarn that was not knitted for some courses has waited beside the fabric, and comes up along its side.
+  std::vector<Vec3> round_the_side(const Point& from, const Point& to) const {
+    const double side = from.dy.x() < 0 ? -1 : 1, low = std::min(from.y.y(), to.y.y()), high = std::max(from.y.y(), to.y.y());
+    double outermost = std::max(side * from.y.x(), side * to.y.x());
+    for (const Anchor& each : arrangement_.anchors)
+      if (each.at.y() > low - size_.pitch && each.at.y() < high + size_.pitch)
+        outermost = std::max(outermost, side * each.at.x());
+    const double x = side * (outermost + beside * size_.wale()), step = 0.15 * (to.y.y() - from.y.y());
+    return {Vec3(x, from.y.y() + step, from.y.z()), Vec3(x, to.y.y() - step, to.y.z())};
+  }
+
   /// The points where a float lies behind the loops of the front bed that it passes, and before those of the back bed.
   std::vector<Vec3> passed(const YarnStep& step, const Vec3& from, const Vec3& to) const {
     const double across = to.x() - from.x();
@@ -123,7 +141,7 @@ class Drawing {
       const double share = ((feet.x() + head.x()) / 2 - from.x()) / across;
       if (!(share > 0.05 && share < 0.95)) continue;
       Vec3 at = from + share * (to - from);
-      if (std::abs((feet.z() + head.z()) / 2 - at.z()) > same_sheet * diameter_ && !on_the_way(feet, head, from, to)) continue;
+      if (std::abs((feet.z() + head.z()) / 2 - at.z()) > same_sheet * diameter_ && !between_sheets(feet, head, from, to)) continue;
       at.z() = (feet.z() + head.z()) / 2 - of.sign * size_.z;
       stops[share] = at;
     }
@@ -133,7 +151,7 @@ class Drawing {
   }
 
   /// Between the sheets there is nothing to pass.
-  bool on_the_way(const Vec3& feet, const Vec3& head, const Vec3& from, const Vec3& to) const {
+  bool between_sheets(const Vec3& feet, const Vec3& head, const Vec3& from, const Vec3& to) const {
     const double z = (feet.z() + head.z()) / 2;
     return z > std::min(from.z(), to.z()) && z < std::max(from.z(), to.z());
   }
