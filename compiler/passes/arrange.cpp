@@ -11,6 +11,7 @@ namespace {
 
 constexpr double sheet_distance = 2.2;  // of the two faces of a tube from its middle, in diameters
 constexpr double sheet_pull = 0.3;      // of each bed to its own side, where one stitch pulls the next with 1
+constexpr double spacer_pull = 0.02;    // of yarn that goes to and fro between two sheets
 constexpr double faint = 1e-3;          // what places loops that nothing else does
 
 /// Which heads hang where, from the graph alone.
@@ -88,6 +89,43 @@ void leave_room(const StitchGraph& graph, std::vector<YarnStep>& steps) {
     step.apart = std::max(step.apart, static_cast<int>(std::lround(per_needle * needles_between(graph, step))));
 }
 
+/// Loops through which the same yarn is pulled again before it turns, as in a bind-off.
+std::vector<bool> chained_loops(const StitchGraph& graph) {
+  constexpr std::size_t soon = 3;  // loops, since a bind-off may tuck on the other bed on its way
+  std::vector<bool> chained(graph.loops.size(), false);
+  for (const YarnPath& yarn : graph.yarns)
+    for (std::size_t k = 1; k < yarn.loops.size(); ++k) {
+      const Loop& child = graph.loops[static_cast<std::size_t>(yarn.loops[k])];
+      for (std::size_t back = 1; back <= std::min(soon, k); ++back) {
+        const int before = yarn.loops[k - back];
+        if (graph.loops[static_cast<std::size_t>(before)].direction != child.direction) break;
+        if (std::find(child.through.begin(), child.through.end(), before) != child.through.end())
+          chained[static_cast<std::size_t>(before)] = true;
+      }
+    }
+  return chained;
+}
+
+/// As courses_of(), but a chain along an edge stays in one course, and a tuck lies one above the loops that it hangs with.
+std::vector<int> courses(const StitchGraph& graph, const Arrangement& arrangement, const std::vector<bool>& chained) {
+  std::vector<int> of(graph.loops.size(), 0), before(graph.loops.size(), -1);
+  for (const YarnPath& yarn : graph.yarns)
+    for (std::size_t k = 1; k < yarn.loops.size(); ++k) before[static_cast<std::size_t>(yarn.loops[k])] = yarn.loops[k - 1];
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    const std::vector<int>& through = graph.loops[i].through;
+    for (const int parent : through) {
+      const auto p = static_cast<std::size_t>(parent);
+      of[i] = std::max(of[i], of[p] + (chained[p] ? 0 : 1));
+    }
+    if (!through.empty()) continue;
+    if (before[i] >= 0) of[i] = of[static_cast<std::size_t>(before[i])];
+    for (const int beside : arrangement.anchors[static_cast<std::size_t>(arrangement.loops[i].head)].heads)
+      if (static_cast<std::size_t>(beside) < i && !graph.loops[static_cast<std::size_t>(beside)].through.empty())
+        of[i] = std::max(of[i], of[static_cast<std::size_t>(beside)] + 1);
+  }
+  return of;
+}
+
 /// Finds where everything lies: stitches pull their neighbours to the distances of a loose fabric.
 class Arranging {
  public:
@@ -96,7 +134,8 @@ class Arranging {
         size_(size),
         diameter_(diameter),
         of_(of),
-        courses_(courses_of(graph)),
+        chained_(chained_loops(graph)),
+        courses_(courses(graph, of, chained_)),
         columns_per_needle_(columns_per_needle(graph, of.steps)) {}
 
   void solve() {
@@ -113,8 +152,17 @@ class Arranging {
   const Hanging& at(int i) const { return of_.loops[static_cast<std::size_t>(i)]; }
   int course(int i) const { return courses_[static_cast<std::size_t>(i)]; }
 
+  /// By how many needles transfers moved a loop.
+  static double shift(const Loop& of) {
+    return position(of.last_needle, of.last_racking) - position(of.needle, of.racking);
+  }
+
+  /// In a bind-off a loop lies along the edge: the next loop of its own yarn is pulled through it.
+  double sideways(int i) const { return chained_[static_cast<std::size_t>(i)] ? at(i).heading * size_.wale() : 0; }
+
   /// Courses from a loop's feet to its head: a loop that waits on its needle is drawn long.
   int rise(int i) const {
+    if (chained_[static_cast<std::size_t>(i)]) return 0;
     const Anchor& head = of_.anchors[static_cast<std::size_t>(at(i).head)];
     return head.feet.empty() ? 1 : std::max(1, course(head.feet.front()) - course(i));
   }
@@ -122,8 +170,8 @@ class Arranging {
   Eigen::VectorXd upwards() const {
     Springs springs(of_.anchors.size());
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
-      const double n = rise(i);
-      springs.between(at(i).feet, at(i).head, n * size_.pitch, 1 / (n * n));
+      const int n = rise(i);
+      springs.between(at(i).feet, at(i).head, n * size_.pitch, 1.0 / std::max(1, n * n));
       springs.towards(at(i).feet, course(i) * size_.pitch, faint);
     }
     for (const YarnStep& step : of_.steps)
@@ -135,7 +183,7 @@ class Arranging {
     Springs springs(of_.anchors.size());
     const double per_needle = size_.wale() * columns_per_needle_;
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
-      springs.between(at(i).feet, at(i).head, 0, 1);
+      springs.between(at(i).feet, at(i).head, at(i).passes ? per_needle * shift(loop(i)) : sideways(i), 1);
       springs.towards(at(i).feet, per_needle * position(loop(i).needle, loop(i).racking), faint);
     }
     for (const YarnStep& step : of_.steps)
@@ -154,14 +202,20 @@ class Arranging {
       springs.towards(at(i).feet, at(i).sign * sheet_distance * diameter_, sheet_pull);
     }
     for (const YarnStep& step : of_.steps)
-      if (!step.turns) springs.between(at(step.from).feet, at(step.to).feet, 0, 1);
+      if (!step.turns) springs.between(at(step.from).feet, at(step.to).feet, 0, spans_the_gap(step) ? spacer_pull : 1);
     return springs.rest();
+  }
+
+  /// Yarn tucked on one bed and then on the other holds two sheets together at a distance.
+  bool spans_the_gap(const YarnStep& step) const {
+    return at(step.from).sign != at(step.to).sign && (loop(step.from).through.empty() || loop(step.to).through.empty());
   }
 
   /// Loops stand upright on their feet as far as they lean themselves.
   void turn_up() {
     std::vector<Vec3> lean(of_.anchors.size(), Vec3(0, size_.pitch, 0));
     for (const Hanging& loop : of_.loops) {
+      if (loop.passes) continue;
       Vec3 rise = of_.anchors[static_cast<std::size_t>(loop.head)].at - of_.anchors[static_cast<std::size_t>(loop.feet)].at;
       rise.z() = 0;
       lean[static_cast<std::size_t>(loop.feet)] += rise;
@@ -175,6 +229,7 @@ class Arranging {
   const LoopSize& size_;
   double diameter_;
   Arrangement& of_;
+  std::vector<bool> chained_;
   std::vector<int> courses_;
   double columns_per_needle_;
 };
