@@ -34,9 +34,10 @@ std::optional<Compiled> compile_chart(Chart chart, int segments_per_stitch, Diag
                   std::move(*fabric), std::move(gauge),    std::move(crossings)};
 }
 
-Knitted knit_knitout(const Source& source, Diagnostics& say) {
+Knitted knit_knitout(const Source& source, const KnitoutOptions& options, Diagnostics& say) {
   const std::size_t errors = say.error_count();
   Program program = passes::parse_knitout(source, say);
+  passes::set_stitch_lengths(program, merged(options.stitch_lengths, default_stitch_lengths(program)));
   passes::check_program(program, say);
   std::optional<StitchGraph> graph;
   if (say.error_count() == errors) graph = passes::knit(program, say);
@@ -45,6 +46,7 @@ Knitted knit_knitout(const Source& source, Diagnostics& say) {
     passes::check_knitting(program, *graph, say);
   }
   if (!graph) graph = passes::knit_all(program);
+  if (options.crop.courses || options.crop.needles) graph = passes::crop(*graph, options.crop);
   return {std::move(program), std::move(*graph)};
 }
 

@@ -29,9 +29,14 @@ struct Knitted {
   StitchGraph graph;
 };
 
+struct KnitoutOptions {
+  Crop crop;
+  StitchLengths stitch_lengths;  ///< where they differ from what is assumed
+};
+
 /// A knitout file to its stitch graph. Gives what there is even if an error was reported: faulty lines are left out,
 /// and faulty instructions done as far as they make sense.
-Knitted knit_knitout(const Source&, Diagnostics&);
+Knitted knit_knitout(const Source&, const KnitoutOptions&, Diagnostics&);
 
 /// A scene file, and the chart that it names (read through `sources`, relative to the scene file), to a Scene.
 std::optional<Scene> compile_scene(const Source&, Sources& sources, Diagnostics&);

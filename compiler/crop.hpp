@@ -1,0 +1,19 @@
+/// Which part of a knitted piece is wanted.
+#pragma once
+
+#include <optional>
+
+namespace wale {
+
+/// From the first to the last, both included.
+struct IntRange {
+  int first = 0, last = 0;
+  bool holds(int value) const { return value >= first && value <= last; }
+};
+
+struct Crop {
+  std::optional<IntRange> courses;  ///< from 1, as courses_of() counts them from 0
+  std::optional<IntRange> needles;  ///< where loops were made, on any bed
+};
+
+}  // namespace wale
