@@ -35,9 +35,10 @@ std::optional<CompiledChart> compile_chart(Chart chart, int segments_per_stitch,
   return CompiledChart{std::move(compiled), std::move(chart), std::move(*layout)};
 }
 
-Knitted knit_knitout(const Source& source, Diagnostics& say) {
+Knitted knit_knitout(const Source& source, const KnitoutOptions& options, Diagnostics& say) {
   const std::size_t errors = say.error_count();
   Program program = passes::parse_knitout(source, say);
+  passes::set_stitch_lengths(program, merged(options.stitch_lengths, default_stitch_lengths(program)));
   passes::check_program(program, say);
   std::optional<StitchGraph> graph;
   if (say.error_count() == errors) graph = passes::knit(program, say);
@@ -46,31 +47,22 @@ Knitted knit_knitout(const Source& source, Diagnostics& say) {
     passes::check_knitting(program, *graph, say);
   }
   if (!graph) graph = passes::knit_all(program);
+  if (options.crop.courses || options.crop.needles) graph = passes::crop(*graph, options.crop);
   return {std::move(program), std::move(*graph)};
 }
 
-YarnChoice yarn_choice(const ChartOverrides& changes) {
-  YarnChoice choice;
-  choice.material = changes.material.value_or(choice.material);
-  choice.stitch_length = changes.stitch_length.value_or(choice.stitch_length);
-  return choice;
-}
-
-std::optional<CompiledKnitout> compile_knitout(const Source& source, const YarnChoice& yarn, int segments_per_stitch,
-                                               Diagnostics& say) {
+std::optional<CompiledKnitout> compile_knitout(const Source& source, const KnitoutOptions& options, const Material& yarn,
+                                               int segments_per_stitch, Diagnostics& say) {
   const std::size_t errors = say.error_count();
-  auto [program, graph] = knit_knitout(source, say);
+  auto [program, graph] = knit_knitout(source, options, say);
   if (say.error_count() > errors) return std::nullopt;
   double longest = 0;
-  for (Loop& loop : graph.loops) {
-    if (loop.stitch_length <= 0) loop.stitch_length = yarn.stitch_length;
-    longest = std::max(longest, loop.stitch_length);
-  }
-  const double diameter = yarn.material.diameter;
+  for (const Loop& loop : graph.loops) longest = std::max(longest, loop.stitch_length);
+  const double diameter = yarn.diameter;
   const LoopSize size = large_enough(diameter, longest);
   Arrangement arrangement = passes::arrange(graph, size, diameter);
   const Curves curves = passes::draw(graph, arrangement, size, diameter);
-  const std::vector<Material> materials(program.carriers.size(), yarn.material);
+  const std::vector<Material> materials(program.carriers.size(), yarn);
   Fabric fabric = passes::fit(curves, materials, segments_per_stitch);
   auto crossings = demanded_crossings(graph, fabric);
   passes::prove(graph, fabric, crossings, say);
@@ -94,9 +86,16 @@ std::optional<Compiled> common(std::optional<C> compiled) {
   return std::move(static_cast<Compiled&>(*compiled));
 }
 
+KnitoutOptions knitout_options(const ParsedScene& scene) {
+  KnitoutOptions options{scene.crop, {}};
+  options.stitch_lengths.otherwise = scene.overrides.stitch_length.value_or(0);
+  return options;
+}
+
 std::optional<Compiled> compile_pattern(const Source& source, const ParsedScene& scene, Diagnostics& say) {
   if (is_knitout(source))
-    return common(compile_knitout(source, yarn_choice(scene.overrides), scene.segments_per_stitch, say));
+    return common(compile_knitout(source, knitout_options(scene), scene.overrides.material.value_or(Material{}),
+                                  scene.segments_per_stitch, say));
   return common(compile_chart(source, scene.overrides, scene.segments_per_stitch, say));
 }
 

@@ -8,15 +8,6 @@
 
 namespace wale {
 
-/// What a knitout file does not say of its yarns.
-struct YarnChoice {
-  Material material;               ///< of every carrier
-  double stitch_length = 7.23e-3;  ///< m, of loops that the program gives none
-};
-
-/// From what a scene or a command line may change of a chart.
-YarnChoice yarn_choice(const ChartOverrides&);
-
 /// Every noun on the way from a program to a fabric.
 struct Compiled {
   std::string name;
@@ -40,21 +31,27 @@ struct CompiledKnitout : Compiled {
 std::optional<CompiledChart> compile_chart(const Source&, const ChartOverrides&, int segments_per_stitch, Diagnostics&);
 std::optional<CompiledChart> compile_chart(Chart, int segments_per_stitch, Diagnostics&);
 
-/// A knitout file to a fabric, whatever it knits. Nothing if an error was reported; it is one if the fabric drawn has not
-/// exactly the crossings that the stitch graph demands.
-std::optional<CompiledKnitout> compile_knitout(const Source&, const YarnChoice&, int segments_per_stitch, Diagnostics&);
-
 /// What a knitout file makes.
 struct Knitted {
   Program program;
   StitchGraph graph;
 };
 
+struct KnitoutOptions {
+  Crop crop;
+  StitchLengths stitch_lengths;  ///< where they differ from what is assumed
+};
+
 /// A knitout file to its stitch graph. Gives what there is even if an error was reported: faulty lines are left out,
 /// and faulty instructions done as far as they make sense.
-Knitted knit_knitout(const Source&, Diagnostics&);
+Knitted knit_knitout(const Source&, const KnitoutOptions&, Diagnostics&);
 
-/// A scene file, and the chart that it names (read through `sources`, relative to the scene file), to a Scene.
+/// A knitout file to a fabric, whatever it knits, every carrier with `yarn`. Nothing if an error was reported; it is one if
+/// the fabric drawn has not exactly the crossings that the stitch graph demands.
+std::optional<CompiledKnitout> compile_knitout(const Source&, const KnitoutOptions&, const Material& yarn,
+                                               int segments_per_stitch, Diagnostics&);
+
+/// A scene file, and the chart or knitout file that it names (read through `sources`, relative to the scene file), to a Scene.
 std::optional<Scene> compile_scene(const Source&, Sources& sources, Diagnostics&);
 
 }  // namespace wale

@@ -5,12 +5,15 @@
 
 #include "compiler/arrangement.hpp"
 #include "compiler/chart.hpp"
+#include "compiler/crop.hpp"
 #include "compiler/curves.hpp"
 #include "compiler/diagnostic.hpp"
 #include "compiler/layout.hpp"
+#include "compiler/machines.hpp"
 #include "compiler/passes/loop_shape.hpp"
 #include "compiler/program.hpp"
 #include "compiler/stitch_graph.hpp"
+#include "compiler/stitch_lengths.hpp"
 #include "sim/scene.hpp"
 
 namespace wale::passes {
@@ -18,9 +21,13 @@ namespace wale::passes {
 std::optional<Chart> parse_chart(const Source&, const ChartOverrides&, Diagnostics&);
 /// A knitout file. Always gives a program: lines at fault are reported and left out, so that the rest can be counted.
 Program parse_knitout(const Source&, Diagnostics&);
+/// How much yarn each loop takes, by the stitch setting under which it is made.
+void set_stitch_lengths(Program&, const StitchLengths&);
 /// Knit on the front bed, purl on the back bed, transfers between; a tube goes round both beds at half gauge.
 /// Every instruction carries the span and the place of its chart cell.
 std::optional<Program> lower_chart(const Chart&, Diagnostics&);
+/// The same for a real machine: cast-on, bind-off by transfers, carriers by the machine's names, headers.
+std::optional<Program> machine_program(const Chart&, const Target&, Diagnostics&);
 /// What a machine would refuse: carriers, racking, needles.
 void check_program(const Program&, Diagnostics&);
 /// Runs the needle beds; stops at the first thing that a machine cannot do.
@@ -28,6 +35,8 @@ std::optional<StitchGraph> knit(const Program&, Diagnostics&);
 /// The same, but does as much of a faulty instruction as makes sense, without a word: what check_program has told of
 /// can still be counted.
 StitchGraph knit_all(const Program&);
+/// The part that is wanted. Where it is cut off above, loops stay on the needles, as if knitting had stopped there.
+StitchGraph crop(const StitchGraph&, const Crop&);
 /// Loops that hold nothing, what would unravel.
 void check_graph(const StitchGraph&, Diagnostics&);
 /// What a machine does with its own program, and a knitter would regret: loops left on needles, dropped columns.

@@ -34,12 +34,24 @@ std::string beside(const std::string& file, const std::string& path) {
   return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
 }
 
+std::optional<IntRange> read_range(const YamlNode* node, Diagnostics& say) {
+  if (!node) return std::nullopt;
+  const auto range = parse_range(node->text);
+  if (!range)
+    say.error("Y007", node->span, fmt::format("\"{}\" is not a range", node->text), "write the first and the last, as in 5-20");
+  return range;
+}
+
 void read_fabric(const YamlNode& node, ParsedScene& scene, Diagnostics& say) {
-  const Fields fields(node, "a fabric", {"pattern", "wales", "courses", "yarn", "stitch_length", "segments_per_stitch"},
+  const Fields fields(node, "a fabric", {"pattern", "crop", "wales", "courses", "yarn", "stitch_length", "segments_per_stitch"},
                       say);
   if (const YamlNode* pattern = fields.require("pattern", "name a chart, as in `pattern: ../patterns/jersey.yaml`")) {
     scene.pattern_path = beside(node.span.source->name, read_text(*pattern, "a pattern", say).value_or(""));
     scene.pattern_span = pattern->span;
+  }
+  if (const YamlNode* crop = fields.find("crop")) {
+    const Fields part(*crop, "a crop", {"courses", "needles"}, say);
+    scene.crop = {read_range(part.find("courses"), say), read_range(part.find("needles"), say)};
   }
   if (const YamlNode* wales = fields.find("wales")) {
     scene.overrides.wales = read_count(*wales, "the number of wales", 1, limits::most_wales, say);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/chart.hpp"
+#include "compiler/crop.hpp"
 #include "compiler/diagnostic.hpp"
 #include "sim/scene.hpp"
 
@@ -14,9 +15,10 @@ namespace wale {
 /// A Scene less its fabric.
 struct ParsedScene {
   std::string name;
-  std::string pattern_path;  ///< of the chart, resolved against the scene file's folder
+  std::string pattern_path;  ///< of the chart or knitout file, resolved against the scene file's folder
   Span pattern_span;
   ChartOverrides overrides;
+  Crop crop;                 ///< of a knitout file
   int segments_per_stitch = 12;
   double thickness = 0;  ///< 2r of sigma = F / (2r S_R), m; 0: twice the contact diameter
   std::vector<Stage> stages;

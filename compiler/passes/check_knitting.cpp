@@ -89,7 +89,7 @@ class Regrets {
       longest = std::max(longest, free.size());
     }
     warn(drops, codes::column_unravels,
-         fmt::format("a live loop is dropped, and its column unravels, {} loops at most", longest),
+         fmt::format("a live loop is dropped, and what hangs on it unravels: {} loops at most", longest),
          "knit through the loop, or bind it off, before it is dropped");
   }
 
@@ -109,8 +109,10 @@ class Regrets {
       if (loop.held) left.add(loop.span);
     if (left.count == 0) return;
     // The hint matters more here than how many more there are.
-    say_.warning(codes::loops_left, left.first, fmt::format("{} loops are left on the needles", left.count),
-                 "bind them off, or drop them if they are waste; here they stay as a live edge");
+    say_.warning(
+        codes::loops_left, left.first,
+        fmt::format("{} left on the needles", left.count == 1 ? "a loop is" : fmt::format("{} loops are", left.count)),
+        "bind them off, or drop them if they are waste; here they stay as a live edge");
   }
 
   const Program& program_;

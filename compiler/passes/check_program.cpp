@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <vector>
 
+#include "compiler/machines.hpp"
 #include "compiler/passes.hpp"
 #include "compiler/passes/finding.hpp"
 #include "compiler/passes/machine_rules.hpp"
@@ -12,14 +12,6 @@
 
 namespace wale::passes {
 namespace {
-
-/// Needles by which a machine's beds can be racked: Shima's SWG 8, a Kniterate 2 in practice, others mostly 4.
-double most_racking(std::string_view machine) {
-  std::string name(machine);
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (name.starts_with("swg")) return 8;
-  return name.starts_with("kniterate") ? 2 : 4;
-}
 
 /// What a carrier does between coming in and going out.
 struct Visit {
@@ -34,7 +26,7 @@ class Checking {
         say_(say),
         state_(program),
         visits_(program.carriers.size()),
-        most_racking_(most_racking(program.machine)) {}
+        most_racking_(machine_facts(program.machine).most_racking) {}
 
   void run() {
     for (const Instruction& at : program_.code) {

@@ -10,6 +10,7 @@ namespace wale::codes {
 
 inline constexpr std::string_view empty_chart = "L001";
 inline constexpr std::string_view tube_wales = "L002";
+inline constexpr std::string_view too_many_yarns = "L003";
 inline constexpr std::string_view not_placeable = "L010";
 
 inline constexpr std::string_view carrier_not_in = "P001";
@@ -52,6 +53,8 @@ inline constexpr auto program_codes = std::to_array<ProgramCode>({
     {empty_chart, Severity::error, "a chart has no stitches", "wales: 12\nbands:\n  - {stitch: jersey, courses: 13}"},
     {tube_wales, Severity::error, "a tube has an odd number of wales, or fewer than four: half of them go on each bed",
      "form: tube\nwales: 20"},
+    {too_many_yarns, Severity::error, "a chart has more yarns than the machine has carriers",
+     "wale compile chart.yaml -o chart.k --machine swg   # ten carriers; a Kniterate has six"},
     {not_placeable, Severity::error,
      "a stitch is not pulled through the one loop below it, or a cell has no stitch: it cannot be drawn yet",
      "knit + f0 a\nknit - f0 a ; each loop through the one below"},

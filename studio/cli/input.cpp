@@ -43,7 +43,7 @@ const Source* read_or_complain(Sources& sources, const std::string& path) {
 
 bool is_knitout(const Source& source) {
   if (kind_of(source) != FileKind::knitout) return false;
-  complain(source.name + ":1:1", "knitout is not read yet", "write a chart instead: docs/charts.md");
+  complain(source.name + ":1:1", "a scene was wanted, and this is a knitout file", "`wale check` reads it");
   return true;
 }
 

@@ -13,7 +13,7 @@ enum class FileKind { chart, scene, knitout };
 FileKind kind_of(const Source&);
 std::string_view name_of(FileKind);
 
-/// Then says on stderr that it is not read yet.
+/// Then says on stderr that it is none where a scene was wanted.
 bool is_knitout(const Source&);
 
 /// Null, and one line on stderr, if the file cannot be read.

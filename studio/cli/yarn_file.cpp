@@ -29,10 +29,8 @@ std::vector<int> lines_of(const StitchGraph& graph) {
 bool can_write_yarns(const std::string& path) {
   constexpr std::array known{".h5", ".vtp", ".obj", ".bcc", ".svg"};
   const std::string suffix = suffix_of(path);
-  if (suffix == ".k")
-    return complain(path, "writing knitout is not there yet", "--show program prints the program"), false;
   if (std::find(known.begin(), known.end(), suffix) != known.end()) return true;
-  return complain(path, "the suffix is none that can be written", "write .h5, .vtp, .obj, .bcc or .svg"), false;
+  return complain(path, "the suffix is none that can be written", "write .h5, .vtp, .obj, .bcc, .svg or .k"), false;
 }
 
 void write_yarns(const Compiled& compiled, const std::string& chart_name, const std::string& path) {

@@ -50,9 +50,34 @@ TEST(Compile, WritesEverySuffixItPromises) {
   EXPECT_EQ(scratch.names().size(), 6u) << "nothing partial stays behind";
 }
 
+TEST(Compile, WritesAProgramThatItCanRead) {
+  const Scratch scratch;
+  const std::string chart = scratch.write("rib.yaml", jersey), program = scratch.path("rib.k");
+  for (const char* machine : {"kniterate", "swg"}) {
+    const Answer written = wale({"compile", chart, "-o", program, "--machine", machine});
+    ASSERT_EQ(written.exit_code, 0) << written.err;
+    const Answer shown = wale({"compile", program, "--show", "program"});
+    EXPECT_EQ(shown.exit_code, 0) << shown.err;
+    EXPECT_EQ(wale({"check", program}).exit_code, 0);
+  }
+  EXPECT_EQ(wale({"compile", chart, "-o", program, "--machine", "loom"}).exit_code, 1);
+}
+
+TEST(Compile, CropsAKnitoutFileAndSetsItsStitchLengths) {
+  const Scratch scratch;
+  const std::string program = scratch.write("strip.k",
+                                            ";!knitout-2\n;;Carriers: 1\nin 1\nx-stitch-number 5\nknit + f0 1\nknit + "
+                                            "f1 1\nknit - f1 1\nknit - f0 1\nout 1\n");
+  const Answer cropped = wale({"compile", program, "--show", "graph", "--courses", "2", "--needles", "-1-0"});
+  EXPECT_EQ(cropped.out, "loop 0: knit - f0 yarn 1 pass 1 held\nyarn 1: 1 loops\n") << cropped.err;
+  EXPECT_EQ(wale({"compile", program, "--show", "graph", "--stitch-length", "5 = 9 mm"}).exit_code, 0);
+  EXPECT_EQ(wale({"compile", program, "--show", "graph", "--stitch-length", "5 = 9 kg"}).exit_code, 1);
+  EXPECT_EQ(wale({"compile", program, "--show", "graph", "--courses", "4-2"}).exit_code, 1);
+}
+
 TEST(Compile, RefusesASuffixThatIsNotThereYet) {
   const Scratch scratch;
-  const Answer answer = wale({"compile", scratch.write("rib.yaml", jersey), "-o", scratch.path("rib.k")});
+  const Answer answer = wale({"compile", scratch.write("rib.yaml", jersey), "-o", scratch.path("rib.stl")});
   EXPECT_EQ(answer.exit_code, 1);
   EXPECT_EQ(scratch.names(), std::vector<std::string>{"rib.yaml"});
 }
