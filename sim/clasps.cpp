@@ -77,6 +77,11 @@ Clasps::Place Clasps::climb(const Crossing& of, const Place& from, const Points&
   return best;
 }
 
+bool crosses_twice(const Fabric& fabric, const Crossing& of, const Points& q, const Vec3& along) {
+  const Points loop = polyline(fabric, q, of.loop_first, of.loop_last, per_segment);
+  return net_crossing(polyline(fabric, q, of.side_first, of.side_last, per_segment), loop, along) == 2 * of.sign;
+}
+
 std::vector<bool> Clasps::follow(const Points& q) {
   std::vector<bool> held(crossings_.size());
   for (std::size_t i = 0; i < crossings_.size(); ++i) {

@@ -31,4 +31,7 @@ class Clasps {
   std::vector<Place> places_;
 };
 
+/// Whether the two pieces of a crossing, where the compiler named them, cross twice with its sign when seen along `along`.
+bool crosses_twice(const Fabric&, const Crossing&, const Points& q, const Vec3& along);
+
 }  // namespace wale

@@ -38,14 +38,15 @@ double ridders(const F& f, double low, double high, double tolerance) {
 
 }  // namespace
 
-ArcLength::ArcLength(const YarnCurve& curve) : curve_(curve), start_{0} {
-  for (const CurvePiece& piece : curve.pieces) {
+ArcLength::ArcLength(const YarnCurve& curve) : curve_(curve), start_{0}, knots_(curve.pieces.size()) {
+#pragma omp parallel for schedule(static)
+  for (std::size_t k = 0; k < knots_.size(); ++k) {
     std::vector<double> knots{0};
     for (int i = 0; i < steps; ++i)
-      knots.push_back(knots.back() + length_between(piece, i / double(steps), (i + 1) / double(steps)));
-    start_.push_back(start_.back() + knots.back());
-    knots_.push_back(std::move(knots));
+      knots.push_back(knots.back() + length_between(curve.pieces[k], i / double(steps), (i + 1) / double(steps)));
+    knots_[k] = std::move(knots);
   }
+  for (const std::vector<double>& knots : knots_) start_.push_back(start_.back() + knots.back());
 }
 
 std::size_t ArcLength::piece_at(double s) const {

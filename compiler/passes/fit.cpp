@@ -55,6 +55,7 @@ void fit_yarn(const YarnCurve& curve, int segments_per_stitch, Fabric& fabric) {
   const int first_point = static_cast<int>(fabric.points.cols());
   Yarn yarn{first_point, fabric.segment_count(), count};
   Points through(3, count + 1);
+#pragma omp parallel for schedule(static)
   for (int k = 0; k <= count; ++k) through.col(k) = arc.at(k * length).y;
   const Vec3 from = arc.at(0).dy.normalized() * length, to = arc.at(arc.total()).dy.normalized() * length;
   fabric.points.conservativeResize(3, first_point + count + 3);
