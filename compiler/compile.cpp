@@ -51,6 +51,16 @@ Knitted knit_knitout(const Source& source, const KnitoutOptions& options, Diagno
   return {std::move(program), std::move(*graph)};
 }
 
+namespace {
+
+std::vector<Material> yarn_of_each(const std::vector<std::string>& carriers, const Material& yarn) {
+  std::vector<Material> yarns(carriers.size(), yarn);
+  for (std::size_t i = 0; i < carriers.size(); ++i) yarns[i].name += " on " + carriers[i];
+  return yarns;
+}
+
+}  // namespace
+
 std::optional<CompiledKnitout> compile_knitout(const Source& source, const KnitoutOptions& options, const Material& yarn,
                                                int segments_per_stitch, Diagnostics& say) {
   const std::size_t errors = say.error_count();
@@ -62,8 +72,7 @@ std::optional<CompiledKnitout> compile_knitout(const Source& source, const Knito
   const LoopSize size = large_enough(diameter, longest);
   Arrangement arrangement = passes::arrange(graph, size, diameter);
   const Curves curves = passes::draw(graph, arrangement, size, diameter);
-  const std::vector<Material> materials(program.carriers.size(), yarn);
-  Fabric fabric = passes::fit(curves, materials, segments_per_stitch);
+  Fabric fabric = passes::fit(curves, yarn_of_each(program.carriers, yarn), segments_per_stitch);
   auto crossings = demanded_crossings(graph, fabric);
   passes::prove(graph, fabric, crossings, say);
   if (say.error_count() > errors) return std::nullopt;

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "compiler/passes.hpp"
 #include "compiler/passes/crossing_loops.hpp"
@@ -12,6 +15,9 @@ namespace {
 constexpr double sheet_distance = 2.2;  // of the two faces of a tube from its middle, in diameters
 constexpr double sheet_pull = 0.3;      // of each bed to its own side, where one stitch pulls the next with 1
 constexpr double spacer_pull = 0.02;    // of yarn that goes to and fro between two sheets
+constexpr double over_itself = 0.4;     // courses by which a cast-on that comes back lies above its way there
+constexpr double most_over_itself = 0.8;
+constexpr double least_rise = 0.2;      // courses from a loop's feet to its head
 constexpr double faint = 1e-3;          // what places loops that nothing else does
 
 /// Which heads hang where, from the graph alone.
@@ -106,25 +112,53 @@ std::vector<bool> chained_loops(const StitchGraph& graph) {
   return chained;
 }
 
-/// As courses_of(), but a chain along an edge stays in one course, and a tuck lies one above the loops that it hangs with.
-std::vector<int> courses(const StitchGraph& graph, const Arrangement& arrangement, const std::vector<bool>& chained) {
-  std::vector<int> of(graph.loops.size(), 0), before(graph.loops.size(), -1);
-  for (const YarnPath& yarn : graph.yarns)
-    for (std::size_t k = 1; k < yarn.loops.size(); ++k) before[static_cast<std::size_t>(yarn.loops[k])] = yarn.loops[k - 1];
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    const std::vector<int>& through = graph.loops[i].through;
-    for (const int parent : through) {
-      const auto p = static_cast<std::size_t>(parent);
-      of[i] = std::max(of[i], of[p] + (chained[p] ? 0 : 1));
-    }
-    if (!through.empty()) continue;
-    if (before[i] >= 0) of[i] = of[static_cast<std::size_t>(before[i])];
-    for (const int beside : arrangement.anchors[static_cast<std::size_t>(arrangement.loops[i].head)].heads)
-      if (static_cast<std::size_t>(beside) < i && !graph.loops[static_cast<std::size_t>(beside)].through.empty())
-        of[i] = std::max(of[i], of[static_cast<std::size_t>(beside)] + 1);
+/// How high above the first course each loop's feet lie, in courses.
+class Levels {
+ public:
+  Levels(const StitchGraph& graph, const Arrangement& arrangement, const std::vector<bool>& chained)
+      : graph_(graph), arrangement_(arrangement), chained_(chained), of_(graph.loops.size(), 0) {}
+
+  /// As courses_of(), but a chain along an edge stays in one course, a tuck lies one above the loops that it hangs with, and
+  /// a cast-on that goes back over itself lies a little higher each time.
+  std::vector<double> find() {
+    std::vector<int> before(of_.size(), -1);
+    for (const YarnPath& yarn : graph_.yarns)
+      for (std::size_t k = 1; k < yarn.loops.size(); ++k)
+        before[static_cast<std::size_t>(yarn.loops[k])] = yarn.loops[k - 1];
+    for (int i = 0; i < static_cast<int>(of_.size()); ++i)
+      level(i) = loop(i).through.empty() ? beside(i, before[static_cast<std::size_t>(i)]) : above(i);
+    return of_;
   }
-  return of;
-}
+
+ private:
+  const Loop& loop(int i) const { return graph_.loops[static_cast<std::size_t>(i)]; }
+  double& level(int i) { return of_[static_cast<std::size_t>(i)]; }
+
+  double above(int i) {
+    double highest = 0;
+    for (const int parent : loop(i).through)
+      highest = std::max(highest, std::floor(level(parent)) + (chained_[static_cast<std::size_t>(parent)] ? 0 : 1));
+    return highest;
+  }
+
+  double beside(int i, int before) {
+    const double along = before >= 0 ? std::floor(level(before)) : 0;
+    const Hanging& own = arrangement_.loops[static_cast<std::size_t>(i)];
+    double highest = along;
+    for (const int with : arrangement_.anchors[static_cast<std::size_t>(own.head)].heads)
+      if (with < i && !loop(with).through.empty()) highest = std::max(highest, std::floor(level(with)) + 1);
+    // A yarn that tucks on its way there and back again.
+    auto& passes = passes_[{loop(i).carrier, own.sign, static_cast<int>(along)}];
+    passes.insert(loop(i).course);
+    return highest + std::min(most_over_itself, over_itself * static_cast<double>(passes.size() - 1));
+  }
+
+  const StitchGraph& graph_;
+  const Arrangement& arrangement_;
+  const std::vector<bool>& chained_;
+  std::vector<double> of_;
+  std::map<std::array<int, 3>, std::set<int>> passes_;  // by carrier, bed and course
+};
 
 /// Finds where everything lies: stitches pull their neighbours to the distances of a loose fabric.
 class Arranging {
@@ -135,7 +169,7 @@ class Arranging {
         diameter_(diameter),
         of_(of),
         chained_(chained_loops(graph)),
-        courses_(courses(graph, of, chained_)),
+        levels_(Levels(graph, of, chained_).find()),
         columns_per_needle_(columns_per_needle(graph, of.steps)) {}
 
   void solve() {
@@ -150,7 +184,7 @@ class Arranging {
  private:
   const Loop& loop(int i) const { return graph_.loops[static_cast<std::size_t>(i)]; }
   const Hanging& at(int i) const { return of_.loops[static_cast<std::size_t>(i)]; }
-  int course(int i) const { return courses_[static_cast<std::size_t>(i)]; }
+  double level(int i) const { return levels_[static_cast<std::size_t>(i)]; }
 
   /// By how many needles transfers moved a loop.
   static double shift(const Loop& of) {
@@ -161,18 +195,18 @@ class Arranging {
   double sideways(int i) const { return chained_[static_cast<std::size_t>(i)] ? at(i).heading * size_.wale() : 0; }
 
   /// Courses from a loop's feet to its head: a loop that waits on its needle is drawn long.
-  int rise(int i) const {
+  double rise(int i) const {
     if (chained_[static_cast<std::size_t>(i)]) return 0;
     const Anchor& head = of_.anchors[static_cast<std::size_t>(at(i).head)];
-    return head.feet.empty() ? 1 : std::max(1, course(head.feet.front()) - course(i));
+    return head.feet.empty() ? 1 : std::max(least_rise, level(head.feet.front()) - level(i));
   }
 
   Eigen::VectorXd upwards() const {
     Springs springs(of_.anchors.size());
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
-      const int n = rise(i);
-      springs.between(at(i).feet, at(i).head, n * size_.pitch, 1.0 / std::max(1, n * n));
-      springs.towards(at(i).feet, course(i) * size_.pitch, faint);
+      const double n = rise(i);
+      springs.between(at(i).feet, at(i).head, n * size_.pitch, 1 / std::max(1.0, n * n));
+      springs.towards(at(i).feet, level(i) * size_.pitch, faint);
     }
     for (const YarnStep& step : of_.steps)
       if (!step.turns) springs.between(at(step.from).feet, at(step.to).feet, 0, step.apart > 3 ? 0.1 : 1);
@@ -230,7 +264,7 @@ class Arranging {
   double diameter_;
   Arrangement& of_;
   std::vector<bool> chained_;
-  std::vector<int> courses_;
+  std::vector<double> levels_;
   double columns_per_needle_;
 };
 

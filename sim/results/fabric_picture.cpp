@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "sim/polyline.hpp"
 #include "sim/results/picture.hpp"
@@ -160,9 +161,17 @@ std::string strain_bar(const Scale& scale, double right, double y) {
   return svg + svg::text(right - width - 12, y + 11, "end", "yarn strain, %");
 }
 
-std::string material_key(const Fabric& fabric, double right, double y) {
+/// The materials of which there is yarn.
+std::set<int> materials_in(const Fabric& fabric) {
+  std::set<int> found;
+  for (const Segment& segment : fabric.segments) found.insert(segment.material);
+  return found;
+}
+
+std::string material_key(const Fabric& fabric, const std::set<int>& used, double right, double y) {
   std::string svg;
-  for (int i = static_cast<int>(fabric.materials.size()) - 1; i >= 0; --i) {
+  for (auto at = used.rbegin(); at != used.rend(); ++at) {
+    const int i = *at;
     const std::string& name = fabric.materials[static_cast<std::size_t>(i)].name;
     svg += svg::text(right, y + 12, "end", name);
     right -= 8.2 * static_cast<double>(name.size()) + 20;
@@ -194,7 +203,8 @@ std::string fabric_svg(const Fabric& fabric, const Points& q, const PictureOptio
     svg += svg::text(margin, 28, "start", options.title, "font-size=\"18\" font-weight=\"bold\"");
   svg += draw(all, frame, by_stretch) + scale_bar(frame, below);
   if (by_stretch) svg += strain_bar(scale, width - margin, below);
-  if (!by_stretch && fabric.materials.size() > 1) svg += material_key(fabric, width - margin, below);
+  const std::set<int> used = materials_in(fabric);
+  if (!by_stretch && used.size() > 1) svg += material_key(fabric, used, width - margin, below);
   return svg + "</svg>\n";
 }
 
