@@ -4,6 +4,7 @@
 
 #include "compiler/demand.hpp"
 #include "compiler/front/scene.hpp"
+#include "compiler/passes/program_codes.hpp"
 
 namespace wale {
 
@@ -47,7 +48,12 @@ Knitted knit_knitout(const Source& source, const KnitoutOptions& options, Diagno
     passes::check_knitting(program, *graph, say);
   }
   if (!graph) graph = passes::knit_all(program);
-  if (options.crop.courses || options.crop.needles) graph = passes::crop(*graph, options.crop);
+  if (options.crop.courses || options.crop.needles) {
+    graph = passes::crop(*graph, options.crop);
+    if (graph->loops.empty())
+      say.error(codes::crop_empty, {}, "no loop lies in the courses and on the needles that are wanted",
+                "`wale check` without them says how many courses there are");
+  }
   return {std::move(program), std::move(*graph)};
 }
 

@@ -58,7 +58,7 @@ void keep_header(std::string_view name, std::string_view value, KnitoutReading& 
   if (headers.size() < limits::most_headers) headers.push_back({std::string(name), std::string(value)});
   const bool known = name.starts_with("Yarn-") || name.starts_with("X-") ||
                      std::find(known_headers.begin(), known_headers.end(), name) != known_headers.end();
-  if (!known)
+  if (!known && reading.say.keeps(codes::unknown_header))
     reading.say.warning(codes::unknown_header, reading.span_of(name),
                         fmt::format("nobody knows the header {}", quoted(name)), suggest(name, known_headers));
 }

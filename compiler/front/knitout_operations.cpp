@@ -192,7 +192,8 @@ void read_extension(std::string_view operation, KnitoutReading& reading) {
   made.op = Op::extension;
   made.extension = known->second;
   made.span = reading.span_of(operation);
-  if (name != "x-stitch-number" && reading.extensions_told.insert(name).second)
+  if (name != "x-stitch-number" && reading.say.keeps(codes::extension_passed_over) &&
+      reading.extensions_told.insert(name).second)
     reading.say.note(codes::extension_passed_over, reading.span_of(name),
                      fmt::format("{} changes no loop and is passed over", quoted(name)));
 }

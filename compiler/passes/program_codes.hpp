@@ -41,6 +41,7 @@ inline constexpr std::string_view stack_high = "G005";
 inline constexpr std::string_view column_unravels = "G006";
 inline constexpr std::string_view loose_end = "G007";
 inline constexpr std::string_view empty_needle = "G008";
+inline constexpr std::string_view crop_empty = "G009";
 
 /// A code, how bad it is, what it means, and an example of what to write instead.
 struct ProgramCode {
@@ -101,6 +102,8 @@ inline constexpr auto program_codes = std::to_array<ProgramCode>({
      "out 1\ndrop f0"},
     {empty_needle, Severity::note, "a needle without loops is dropped or transferred, which does nothing",
      "leave the line out"},
+    {crop_empty, Severity::error, "no loop lies in the courses and on the needles that are wanted",
+     "wale check FILE.k --courses 1-20 --needles 0-39"},
 });
 
 }  // namespace wale::codes

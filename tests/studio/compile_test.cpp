@@ -73,6 +73,7 @@ TEST(Compile, CropsAKnitoutFileAndSetsItsStitchLengths) {
   EXPECT_EQ(wale({"compile", program, "--show", "graph", "--stitch-length", "5 = 9 mm"}).exit_code, 0);
   EXPECT_EQ(wale({"compile", program, "--show", "graph", "--stitch-length", "5 = 9 kg"}).exit_code, 1);
   EXPECT_EQ(wale({"compile", program, "--show", "graph", "--courses", "4-2"}).exit_code, 1);
+  EXPECT_EQ(wale({"compile", program, "--show", "graph", "--courses", "9"}).exit_code, 1) << "nothing is left";
 }
 
 TEST(Compile, RefusesASuffixThatIsNotThereYet) {
