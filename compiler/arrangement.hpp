@@ -21,6 +21,7 @@ struct Anchor {
 /// One loop of an Arrangement.
 struct Hanging {
   int feet = -1, head = -1;  ///< indices into Arrangement::anchors
+  int via = -1;              ///< where one loop was pulled through it before another was at its head, as in a split; or -1
   int sign = 1;              ///< +1 made on the front bed (a knit, seen from the face), -1 on the back bed
   int heading = 1;           ///< +1 drawn from left to right
   int passes = 0;            ///< +1 if it crosses another loop on its way up and passes in front, -1 if behind

@@ -17,6 +17,7 @@ constexpr double sheet_pull = 0.3;      // of each bed to its own side, where on
 constexpr double spacer_pull = 0.02;    // of yarn that goes to and fro between two sheets
 constexpr double over_itself = 0.4;     // courses by which a cast-on that comes back lies above its way there
 constexpr double most_over_itself = 0.8;
+constexpr double split_distance = 2.4;  // diameters between two loops that were pulled through one to opposite sides
 constexpr double least_rise = 0.2;      // courses from a loop's feet to its head
 constexpr double faint = 1e-3;          // what places loops that nothing else does
 
@@ -53,7 +54,10 @@ class Hangings {
     anchor.feet.push_back(i);
     if (plated) return;
     anchor.heads = loop(i).through;
-    for (const int parent : loop(i).through) at(parent).head = own.feet;
+    for (const int parent : loop(i).through) {
+      at(parent).via = at(parent).head;
+      at(parent).head = own.feet;
+    }
   }
 
   void put_heads(const std::vector<int>& loops) {
@@ -194,10 +198,19 @@ class Arranging {
   /// In a bind-off a loop lies along the edge: the next loop of its own yarn is pulled through it.
   double sideways(int i) const { return chained_[static_cast<std::size_t>(i)] ? at(i).heading * size_.wale() : 0; }
 
+  int first_head(int i) const { return at(i).via >= 0 ? at(i).via : at(i).head; }
+  int first_foot(int anchor) const { return of_.anchors[static_cast<std::size_t>(anchor)].feet.front(); }
+  int sign_of(int anchor) const { return at(first_foot(anchor)).sign; }
+
+  /// Courses from the first loop pulled through a split one to the second.
+  double split_rise(int i) const {
+    return std::max(over_itself, level(first_foot(at(i).head)) - level(first_foot(at(i).via)));
+  }
+
   /// Courses from a loop's feet to its head: a loop that waits on its needle is drawn long.
   double rise(int i) const {
     if (chained_[static_cast<std::size_t>(i)]) return 0;
-    const Anchor& head = of_.anchors[static_cast<std::size_t>(at(i).head)];
+    const Anchor& head = of_.anchors[static_cast<std::size_t>(first_head(i))];
     return head.feet.empty() ? 1 : std::max(least_rise, level(head.feet.front()) - level(i));
   }
 
@@ -205,7 +218,8 @@ class Arranging {
     Springs springs(of_.anchors.size());
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
       const double n = rise(i);
-      springs.between(at(i).feet, at(i).head, n * size_.pitch, 1 / std::max(1.0, n * n));
+      springs.between(at(i).feet, first_head(i), n * size_.pitch, 1 / std::max(1.0, n * n));
+      if (at(i).via >= 0) springs.between(at(i).via, at(i).head, split_rise(i) * size_.pitch, 1);
       springs.towards(at(i).feet, level(i) * size_.pitch, faint);
     }
     for (const YarnStep& step : of_.steps)
@@ -217,7 +231,8 @@ class Arranging {
     Springs springs(of_.anchors.size());
     const double per_needle = size_.wale() * columns_per_needle_;
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
-      springs.between(at(i).feet, at(i).head, at(i).passes ? per_needle * shift(loop(i)) : sideways(i), 1);
+      if (at(i).via >= 0) springs.between(at(i).via, at(i).head, 0, 1);
+      springs.between(at(i).feet, first_head(i), at(i).passes ? per_needle * shift(loop(i)) : sideways(i), 1);
       springs.towards(at(i).feet, per_needle * position(loop(i).needle, loop(i).racking), faint);
     }
     for (const YarnStep& step : of_.steps)
@@ -232,7 +247,9 @@ class Arranging {
   Eigen::VectorXd sheets() const {
     Springs springs(of_.anchors.size());
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
-      springs.between(at(i).feet, at(i).head, 0, 1);
+      springs.between(at(i).feet, first_head(i), 0, 1);
+      // The sheet that was knitted first lies on the side of its bed.
+      if (at(i).via >= 0) springs.between(at(i).via, at(i).head, -sign_of(at(i).via) * split_distance * diameter_, 1);
       springs.towards(at(i).feet, at(i).sign * sheet_distance * diameter_, sheet_pull);
     }
     for (const YarnStep& step : of_.steps)

@@ -16,6 +16,8 @@ constexpr double aside = 1.1;         // of a loop that crosses another, in diam
 constexpr double turn_reach = 2;      // tangents of a turn, by its width
 constexpr double turn_shrink = 0.7;   // turns are drawn wide and knitted straight
 constexpr double same_sheet = 1.5;    // diameters: loops further off in depth are of the other face of a tube
+constexpr double past_first = 0.65;   // in w: the legs of a split loop have passed the first loop pulled through it,
+constexpr double before_second = 0.85;  // and come to the second
 constexpr double long_way = 2.5;      // courses: no turn goes so far
 constexpr double beside = 1.3;        // wales beside the outermost loops
 
@@ -73,8 +75,13 @@ class Drawing {
 
   Bearing bearing(int loop) const {
     const Hanging& of = hanging(loop);
-    Bearing bearing{footing(of.feet, loop, false), footing(of.head, loop, true), {of.sign, of.sign}, 0};
-    const std::vector<int>& above = anchor(of.head).feet;
+    return bearing(loop, of.via >= 0 ? of.via : of.head);
+  }
+
+  Bearing bearing(int loop, int head) const {
+    const Hanging& of = hanging(loop);
+    Bearing bearing{footing(of.feet, loop, false), footing(head, loop, true), {of.sign, of.sign}, 0};
+    const std::vector<int>& above = anchor(head).feet;
     if (!above.empty()) bearing.signs.above = hanging(above.front()).sign;
     // A tuck lies behind (or before) the loops that it hangs with all the way.
     if (anchor(of.feet).heads.empty() && anchor(of.feet).feet.size() == 1) bearing.feet.forward = bearing.head.forward;
@@ -88,14 +95,52 @@ class Drawing {
     const bool joined = before && side_by_side(*before);
     if (joined) (heading > 0 ? shape.left : shape.right) = bearing(before->from);
     if (after && side_by_side(*after)) (heading > 0 ? shape.right : shape.left) = bearing(after->to);
-    const double h = heading;
-    CurvePiece piece{[=, size = size_](double u) {
-                       const Curve3 c = hung_point(size, shape, h * (4 * u - 2));
-                       return Point{c.y, 4 * h * c.dy};
-                     },
-                     loop, material_, graph_.loops[static_cast<std::size_t>(loop)].stitch_length, 1};
-    if (before && !joined) join(*before, piece.at(0));
-    pieces_.push_back(std::move(piece));
+    const std::size_t first = pieces_.size();
+    if (hanging(loop).via < 0) {
+      add_part(shape, loop, -2, 2);
+    } else {
+      add_split(shape, loop);
+    }
+    if (before && !joined) {
+      std::vector<CurvePiece> drawn(pieces_.begin() + static_cast<std::ptrdiff_t>(first), pieces_.end());
+      pieces_.resize(first);
+      join(*before, drawn.front().at(0));
+      pieces_.insert(pieces_.end(), drawn.begin(), drawn.end());
+    }
+  }
+
+  double stitch_length(int loop) const { return graph_.loops[static_cast<std::size_t>(loop)].stitch_length; }
+
+  /// A loop from `from` to `to`, in w as it lies from left to right if it heads there.
+  void add_part(const HungLoop& shape, int loop, double from, double to) {
+    const double h = hanging(loop).heading;
+    pieces_.push_back({[=, size = size_](double u) {
+                         const Curve3 c = hung_point(size, shape, h * (from + u * (to - from)));
+                         return Point{c.y, (to - from) * h * c.dy};
+                       },
+                       loop, material_, stitch_length(loop) * (to - from) / 4, 1});
+  }
+
+  /// A loop through which two others were pulled, one after the other: its legs pass the first as any loop's, go on, and
+  /// its head holds the second.
+  void add_split(const HungLoop& shape, int loop) {
+    HungLoop upper = shape;
+    upper.here = bearing(loop, hanging(loop).head);
+    upper.here.feet = upper.here.head;
+    upper.here.feet.at -= size_.pitch * upper.here.feet.up;
+    add_part(shape, loop, -2, -past_first);
+    add_leg(shape, -past_first, upper, -before_second, loop);
+    add_part(upper, loop, -before_second, before_second);
+    add_leg(upper, before_second, shape, past_first, loop);
+    add_part(shape, loop, past_first, 2);
+  }
+
+  void add_leg(const HungLoop& below, double from, const HungLoop& above, double to, int loop) {
+    const double h = hanging(loop).heading;
+    const Curve3 a = hung_point(size_, below, h * from), b = hung_point(size_, above, h * to);
+    const double reach = (b.y - a.y).norm();
+    const Point start{a.y, reach * h * a.dy.normalized()}, end{b.y, reach * h * b.dy.normalized()};
+    pieces_.push_back({[=](double u) { return hermite(start, end, u); }, loop, material_, 0, 1});
   }
 
   /// From where the yarn is to the next loop, past what hangs between.
