@@ -7,13 +7,14 @@
 #include "compiler/passes.hpp"
 #include "compiler/passes/crossing_loops.hpp"
 #include "compiler/passes/springs.hpp"
-#include "compiler/passes/yarn_steps.hpp"
+#include "compiler/passes/surroundings.hpp"
 
 namespace wale::passes {
 namespace {
 
 constexpr double sheet_distance = 2.2;  // of the two faces of a tube from its middle, in diameters
 constexpr double sheet_pull = 0.3;      // of each bed to its own side, where one stitch pulls the next with 1
+constexpr double back_to_back = 5;      // where loops of both beds share a place
 constexpr double spacer_pull = 0.02;    // of yarn that goes to and fro between two sheets
 constexpr double over_itself = 0.4;     // courses by which a cast-on that comes back lies above its way there
 constexpr double most_over_itself = 0.8;
@@ -167,10 +168,12 @@ class Levels {
 /// Finds where everything lies: stitches pull their neighbours to the distances of a loose fabric.
 class Arranging {
  public:
-  Arranging(const StitchGraph& graph, const LoopSize& size, double diameter, Arrangement& of)
+  Arranging(const StitchGraph& graph, const LoopSize& size, double diameter, const std::vector<int>& across,
+            Arrangement& of)
       : graph_(graph),
         size_(size),
         diameter_(diameter),
+        across_(across),
         of_(of),
         chained_(chained_loops(graph)),
         levels_(Levels(graph, of, chained_).find()),
@@ -182,6 +185,7 @@ class Arranging {
       const auto k = static_cast<Eigen::Index>(i);
       of_.anchors[i].at = {x(k), y(k), z(k)};
     }
+    lift();
     turn_up();
   }
 
@@ -250,7 +254,8 @@ class Arranging {
       springs.between(at(i).feet, first_head(i), 0, 1);
       // The sheet that was knitted first lies on the side of its bed.
       if (at(i).via >= 0) springs.between(at(i).via, at(i).head, -sign_of(at(i).via) * split_distance * diameter_, 1);
-      springs.towards(at(i).feet, at(i).sign * sheet_distance * diameter_, sheet_pull);
+      const double pull = across_[static_cast<std::size_t>(i)] >= 0 ? back_to_back : sheet_pull;
+      springs.towards(at(i).feet, at(i).sign * sheet_distance * diameter_, pull);
     }
     for (const YarnStep& step : of_.steps)
       if (!step.turns) springs.between(at(step.from).feet, at(step.to).feet, 0, spans_the_gap(step) ? spacer_pull : 1);
@@ -260,6 +265,19 @@ class Arranging {
   /// Yarn tucked on one bed and then on the other holds two sheets together at a distance.
   bool spans_the_gap(const YarnStep& step) const {
     return at(step.from).sign != at(step.to).sign && (loop(step.from).through.empty() || loop(step.to).through.empty());
+  }
+
+  /// The yarn of a later pass lies above what an earlier one laid between the beds at the same height.
+  void lift() {
+    std::vector<Vec3*> above;
+    for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
+      const int other = across_[static_cast<std::size_t>(i)];
+      if (other < 0 || loop(other).course == loop(i).course) continue;
+      Vec3& feet = of_.anchors[static_cast<std::size_t>(at(i).feet)].at;
+      const Vec3& facing = of_.anchors[static_cast<std::size_t>(at(other).feet)].at;
+      if (std::abs(feet.y() - facing.y()) < over_itself / 2 * size_.pitch) above.push_back(&feet);
+    }
+    for (Vec3* feet : above) feet->y() += over_itself * size_.pitch;
   }
 
   /// Loops stand upright on their feet as far as they lean themselves.
@@ -279,6 +297,7 @@ class Arranging {
   const StitchGraph& graph_;
   const LoopSize& size_;
   double diameter_;
+  const std::vector<int>& across_;
   Arrangement& of_;
   std::vector<bool> chained_;
   std::vector<double> levels_;
@@ -289,10 +308,11 @@ class Arranging {
 
 Arrangement arrange(const StitchGraph& graph, const LoopSize& size, double diameter) {
   Arrangement arrangement = Hangings(graph).hang();
-  arrangement.steps = yarn_steps(graph);
+  const Surroundings around = surroundings(graph);
+  arrangement.steps = around.steps;
   leave_room(graph, arrangement.steps);
   mark_crossing_loops(graph, arrangement);
-  Arranging(graph, size, diameter, arrangement).solve();
+  Arranging(graph, size, diameter, around.across, arrangement).solve();
   return arrangement;
 }
 

@@ -1,4 +1,4 @@
-#include "compiler/passes/yarn_steps.hpp"
+#include "compiler/passes/surroundings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +50,14 @@ class Needles {
     }
   }
 
+  /// The last loop on the needle across the gap; -1 if there is none.
+  int across(const Needle& needle, double racking) const {
+    const double index = on_back(needle) ? needle.index + racking : needle.index - racking;
+    const auto& bed = beds_[!on_back(needle)];
+    const auto at = bed.find(static_cast<int>(std::lround(index)));
+    return index != std::round(index) || at == bed.end() || at->second.empty() ? -1 : at->second.back();
+  }
+
   /// The last loop of every needle of a bed between two positions, from left to right.
   std::vector<int> between(double low, double high, bool back, double racking) const {
     std::vector<int> loops;
@@ -87,25 +95,26 @@ YarnStep step_between(const StitchGraph& graph, int from, int to, const Needles&
 
 }  // namespace
 
-std::vector<YarnStep> yarn_steps(const StitchGraph& graph) {
-  struct Pair {
-    int from, to;
-  };
-  std::vector<Pair> pairs;
+Surroundings surroundings(const StitchGraph& graph) {
+  std::vector<int> before(graph.loops.size(), -1);
+  std::vector<std::size_t> place(graph.loops.size(), 0);  // of the step that leads to a loop
+  Surroundings found;
   for (const YarnPath& yarn : graph.yarns)
-    for (std::size_t k = 1; k < yarn.loops.size(); ++k) pairs.push_back({yarn.loops[k - 1], yarn.loops[k]});
-
-  std::vector<std::size_t> order(pairs.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return pairs[a].to < pairs[b].to; });
-
+    for (std::size_t k = 1; k < yarn.loops.size(); ++k) {
+      const auto to = static_cast<std::size_t>(yarn.loops[k]);
+      before[to] = yarn.loops[k - 1];
+      place[to] = found.steps.size();
+      found.steps.emplace_back();
+    }
+  found.across.resize(graph.loops.size());
   Needles needles(graph);
-  std::vector<YarnStep> steps(pairs.size());
-  for (const std::size_t i : order) {
-    needles.go_to(graph.loops[static_cast<std::size_t>(pairs[i].to)].instruction);
-    steps[i] = step_between(graph, pairs[i].from, pairs[i].to, needles);
+  for (std::size_t i = 0; i < graph.loops.size(); ++i) {
+    const Loop& loop = graph.loops[i];
+    needles.go_to(loop.instruction);
+    found.across[i] = needles.across(loop.needle, loop.racking);
+    if (before[i] >= 0) found.steps[place[i]] = step_between(graph, before[i], static_cast<int>(i), needles);
   }
-  return steps;
+  return found;
 }
 
 }  // namespace wale
