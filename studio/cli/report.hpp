@@ -18,8 +18,8 @@ std::string dump(const nlohmann::ordered_json&);
 /// `[{severity, code, file, line, column, message, hint}]`
 nlohmann::ordered_json to_json(const Diagnostics&);
 
-/// Counts of what was knitted: instructions, loops, edges, knits, what is left on the needles, ... Every loop is counted
-/// as one of knits, tucks, splits and knits on empty needles.
+/// Counts of what was knitted: instructions, loops, edges, knits, what is left on the needles, ... Every loop is
+/// counted as one of knits, tucks, splits and knits on empty needles.
 nlohmann::ordered_json counts(const Program&, const StitchGraph&);
 
 /// `[{id, carrier, direction, needle, line, op, parents, previous}]`, ids in the order made.
