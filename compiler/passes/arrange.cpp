@@ -13,11 +13,11 @@ namespace wale::passes {
 namespace {
 
 constexpr double sheet_distance = 2.2;  // of the two faces of a tube from its middle, in diameters
-constexpr double sheet_pull = 0.3;      // of each bed to its own side, where one stitch pulls the next with 1
+constexpr double sheet_pull = 0.15;     // of each bed to its own side, where one stitch pulls the next with 1
 constexpr double back_to_back = 5;      // where loops of both beds share a place
 constexpr double spacer_pull = 0.02;    // of yarn that goes to and fro between two sheets
 constexpr double over_itself = 0.4;     // courses by which a cast-on that comes back lies above its way there
-constexpr double most_over_itself = 0.8;
+constexpr double most_over_itself = 0.6;
 constexpr double split_distance = 2.4;  // diameters between two loops that were pulled through one to opposite sides
 constexpr double least_rise = 0.2;      // courses from a loop's feet to its head
 constexpr double faint = 1e-3;          // what places loops that nothing else does
