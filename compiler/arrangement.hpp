@@ -9,36 +9,37 @@
 
 namespace wale {
 
-/// A point where loops hang from each other: the heads of some, and the feet of those pulled through them. A loop made on an
-/// empty needle has its feet at one alone, a loop through which nothing was pulled its head.
+/// A point where loops hang from each other: the heads of some, and the feet of those pulled through them. A loop made
+/// on an empty needle has its feet at one alone, a loop through which nothing was pulled its head.
 struct Anchor {
-  Vec3 at = Vec3::Zero();    ///< m; x along the courses, y up, z towards the viewer
-  Vec3 up = Vec3::UnitY();   ///< unit, in the plane of the fabric: where loops go from here
-  std::vector<int> heads;    ///< loops, front to back
-  std::vector<int> feet;     ///< loops, front to back
+  Vec3 at = Vec3::Zero();   ///< m; x along the courses, y up, z towards the viewer
+  Vec3 up = Vec3::UnitY();  ///< unit, in the plane of the fabric: where loops go from here
+  std::vector<int> heads;   ///< loops, front to back
+  std::vector<int> feet;    ///< loops, front to back
 };
 
 /// One loop of an Arrangement.
 struct Hanging {
   int feet = -1, head = -1;  ///< indices into Arrangement::anchors
-  int via = -1;              ///< where one loop was pulled through it before another was at its head, as in a split; or -1
-  int sign = 1;              ///< +1 made on the front bed (a knit, seen from the face), -1 on the back bed
-  int heading = 1;           ///< +1 drawn from left to right
-  int passes = 0;            ///< +1 if it crosses another loop on its way up and passes in front, -1 if behind
+  int via = -1;     ///< where one loop was pulled through it before another was at its head, as in a split; or -1
+  int sign = 1;     ///< +1 made on the front bed (a knit, seen from the face), -1 on the back bed
+  int heading = 1;  ///< +1 drawn from left to right
+  int passes = 0;   ///< +1 if it crosses another loop on its way up and passes in front, -1 if behind
 };
 
 /// From one loop of a yarn to the next.
 struct YarnStep {
-  int from = 0, to = 0;      ///< loops
-  bool turns = false;        ///< the yarn goes back
-  int apart = 1;             ///< columns
-  std::vector<int> passed;   ///< loops between which and the gap of the beds the yarn floats, in the order in which it does
+  int from = 0, to = 0;  ///< loops
+  bool turns = false;    ///< the yarn goes back
+  int apart = 1;         ///< columns
+  std::vector<int>
+      passed;  ///< loops between which and the gap of the beds the yarn floats, in the order in which it does
 };
 
 struct Arrangement {
   std::vector<Anchor> anchors;
-  std::vector<Hanging> loops;    ///< as StitchGraph::loops
-  std::vector<YarnStep> steps;   ///< yarn by yarn
+  std::vector<Hanging> loops;   ///< as StitchGraph::loops
+  std::vector<YarnStep> steps;  ///< yarn by yarn
 };
 
 /// One loop a line, in millimetres; what `--show layout` prints of a knitout file.

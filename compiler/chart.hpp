@@ -50,9 +50,9 @@ struct Chart {
 
 /// What a scene or a command line may change of a chart: a number to search over.
 struct ChartOverrides {
-  std::optional<int> wales, courses;      ///< one-band charts stretch; others are refused if they do not tile
-  std::optional<double> stitch_length;    ///< m
-  std::optional<Material> material;       ///< for every yarn
+  std::optional<int> wales, courses;    ///< one-band charts stretch; others are refused if they do not tile
+  std::optional<double> stitch_length;  ///< m
+  std::optional<Material> material;     ///< for every yarn
 };
 
 /// The picture of a chart, last line the first course, with course numbers and yarns; what `--show chart` prints.

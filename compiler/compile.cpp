@@ -8,8 +8,8 @@
 
 namespace wale {
 
-std::optional<CompiledChart> compile_chart(const Source& source, const ChartOverrides& overrides, int segments_per_stitch,
-                                      Diagnostics& say) {
+std::optional<CompiledChart> compile_chart(const Source& source, const ChartOverrides& overrides,
+                                           int segments_per_stitch, Diagnostics& say) {
   auto chart = passes::parse_chart(source, overrides, say);
   if (!chart) return std::nullopt;
   return compile_chart(std::move(*chart), segments_per_stitch, say);
@@ -67,8 +67,8 @@ std::vector<Material> yarn_of_each(const std::vector<std::string>& carriers, con
 
 }  // namespace
 
-std::optional<CompiledKnitout> compile_knitout(const Source& source, const KnitoutOptions& options, const Material& yarn,
-                                               int segments_per_stitch, Diagnostics& say) {
+std::optional<CompiledKnitout> compile_knitout(const Source& source, const KnitoutOptions& options,
+                                               const Material& yarn, int segments_per_stitch, Diagnostics& say) {
   const std::size_t errors = say.error_count();
   auto [program, graph] = knit_knitout(source, options, say);
   if (say.error_count() > errors) return std::nullopt;

@@ -46,12 +46,13 @@ struct KnitoutOptions {
 /// and faulty instructions done as far as they make sense.
 Knitted knit_knitout(const Source&, const KnitoutOptions&, Diagnostics&);
 
-/// A knitout file to a fabric, whatever it knits, every carrier with `yarn`. Nothing if an error was reported; it is one if
-/// the fabric drawn has not exactly the crossings that the stitch graph demands.
+/// A knitout file to a fabric, whatever it knits, every carrier with `yarn`. Nothing if an error was reported; it is
+/// one if the fabric drawn has not exactly the crossings that the stitch graph demands.
 std::optional<CompiledKnitout> compile_knitout(const Source&, const KnitoutOptions&, const Material& yarn,
                                                int segments_per_stitch, Diagnostics&);
 
-/// A scene file, and the chart or knitout file that it names (read through `sources`, relative to the scene file), to a Scene.
+/// A scene file, and the chart or knitout file that it names (read through `sources`, relative to the scene file), to a
+/// Scene.
 std::optional<Scene> compile_scene(const Source&, Sources& sources, Diagnostics&);
 
 }  // namespace wale

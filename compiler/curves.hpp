@@ -14,10 +14,10 @@ struct CurvePiece {
     Vec3 y, dy;
   };
   std::function<Point(double)> at;
-  int stitch = -1;          ///< index into StitchGraph::loops; -1 for cast-on, bind-off and joins
+  int stitch = -1;  ///< index into StitchGraph::loops; -1 for cast-on, bind-off and joins
   int material = 0;
-  double stitch_length = 0; ///< yarn length that the piece should have in the end, m; 0: shrinks as stitches do
-  double shrink = 1;        ///< times so much, where no length is asked for
+  double stitch_length = 0;  ///< yarn length that the piece should have in the end, m; 0: shrinks as stitches do
+  double shrink = 1;         ///< times so much, where no length is asked for
 };
 
 /// Pieces follow each other with continuous position and direction.

@@ -12,6 +12,7 @@ namespace {
 
 struct Range {
   int first = -1, last = -1;
+  int half() const { return (last - first) / 2; }
 };
 
 std::map<int, Range> ranges_by_stitch(const Fabric& fabric) {
@@ -27,12 +28,9 @@ std::map<int, Range> ranges_by_stitch(const Fabric& fabric) {
 /// The loops before and after each on its yarn; -1 where there is none.
 struct Neighbours {
   std::vector<int> before, after;
-  explicit Neighbours(const StitchGraph& graph) : before(graph.loops.size(), -1), after(graph.loops.size(), -1) {
-    for (const YarnPath& yarn : graph.yarns)
-      for (std::size_t k = 1; k < yarn.loops.size(); ++k) {
-        before[static_cast<std::size_t>(yarn.loops[k])] = yarn.loops[k - 1];
-        after[static_cast<std::size_t>(yarn.loops[k - 1])] = yarn.loops[k];
-      }
+  explicit Neighbours(const StitchGraph& graph) : before(loops_before(graph)), after(before.size(), -1) {
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (before[i] >= 0) after[static_cast<std::size_t>(before[i])] = static_cast<int>(i);
   }
 };
 
@@ -49,25 +47,26 @@ std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Fabric&
   const auto ranges = ranges_by_stitch(fabric);
   const Neighbours along_yarn(graph);
   const auto head = [](const Range& of) { return (of.first + of.last + 1) / 2; };
-  // A side reaches to the head beside it, or half a stitch into a float. Where the yarn turns to another course it swings
-  // about freely, over or under the last loop, and tells nothing.
+  // A side reaches to the head beside it, or half a stitch into a float. Where the yarn turns to another course it
+  // swings about freely, over or under the last loop, and tells nothing.
+  const auto same_way = [&](int a, int b) {
+    return graph.loops[static_cast<std::size_t>(a)].direction == graph.loops[static_cast<std::size_t>(b)].direction;
+  };
   const auto start_of_side = [&](int loop) -> std::optional<int> {
-    const Range own = ranges.at(loop);
     const int before = along_yarn.before[static_cast<std::size_t>(loop)];
     if (before < 0) return {};
-    const Range beside = ranges.at(before);
+    const Range own = ranges.at(loop), beside = ranges.at(before);
     if (beside.last + 1 == own.first) return head(beside);
-    if (graph.loops[static_cast<std::size_t>(before)].direction != graph.loops[static_cast<std::size_t>(loop)].direction) return {};
-    return std::max(beside.last + 1, own.first - (own.last - own.first) / 2);
+    if (!same_way(before, loop)) return {};
+    return std::max(beside.last + 1, own.first - own.half());
   };
   const auto end_of_side = [&](int loop) -> std::optional<int> {
-    const Range own = ranges.at(loop);
     const int after = along_yarn.after[static_cast<std::size_t>(loop)];
     if (after < 0) return {};
-    const Range beside = ranges.at(after);
-    if (beside.first == own.last + 1) return head(beside) - 1;
-    if (graph.loops[static_cast<std::size_t>(after)].direction != graph.loops[static_cast<std::size_t>(loop)].direction) return {};
-    return std::min(beside.first - 1, own.last + (own.last - own.first) / 2);
+    const Range own = ranges.at(loop), beside = ranges.at(after);
+    if (own.last + 1 == beside.first) return head(beside) - 1;
+    if (!same_way(loop, after)) return {};
+    return std::min(beside.first - 1, own.last + own.half());
   };
   std::vector<Crossing> crossings;
   for (int i = 0; i < static_cast<int>(graph.loops.size()); ++i) {

@@ -22,11 +22,17 @@ void print_loop(const StitchGraph& graph, int i, std::string& text) {
 
 }  // namespace
 
-std::vector<int> courses_of(const StitchGraph& graph) {
-  std::vector<int> courses(graph.loops.size(), 0), previous(graph.loops.size(), -1);
+std::vector<int> loops_before(const StitchGraph& graph) {
+  std::vector<int> before(graph.loops.size(), -1);
   for (const YarnPath& yarn : graph.yarns)
     for (std::size_t i = 1; i < yarn.loops.size(); ++i)
-      previous[static_cast<std::size_t>(yarn.loops[i])] = yarn.loops[i - 1];
+      before[static_cast<std::size_t>(yarn.loops[i])] = yarn.loops[i - 1];
+  return before;
+}
+
+std::vector<int> courses_of(const StitchGraph& graph) {
+  std::vector<int> courses(graph.loops.size(), 0);
+  const std::vector<int> previous = loops_before(graph);
   for (std::size_t i = 0; i < graph.loops.size(); ++i) {
     const Loop& loop = graph.loops[i];
     for (const int below : loop.through)

@@ -78,6 +78,9 @@ struct StitchGraph {
   int widest = 0;                     ///< needles that held loops at the same time, at most
 };
 
+/// The loop before each on its yarn; -1 for a yarn's first.
+std::vector<int> loops_before(const StitchGraph&);
+
 /// The course of each loop, from 0: one above the highest loop that it is pulled through; a loop through nothing lies
 /// beside the one before it on its yarn.
 std::vector<int> courses_of(const StitchGraph&);

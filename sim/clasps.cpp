@@ -19,7 +19,8 @@ std::array<Vec3, view_count> spread_views() {
   std::array<Vec3, view_count> views;
   for (int i = 0; i < view_count; ++i) {
     const double z = 1 - (2 * i + 1.0) / view_count, angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
-    views[static_cast<std::size_t>(i)] = {std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z};
+    views[static_cast<std::size_t>(i)] = {std::sqrt(1 - z * z) * std::cos(angle),
+                                          std::sqrt(1 - z * z) * std::sin(angle), z};
   }
   return views;
 }
@@ -37,9 +38,9 @@ int reach(int first, int last) { return (last - first + 1) / 4; }
 Clasps::Clasps(const Fabric& fabric, const std::vector<Crossing>& crossings)
     : fabric_(fabric), crossings_(crossings), places_(crossings.size()) {}
 
-/// Seen from anywhere, a side that is pulled through a loop crosses it twice in the same sense, unless an end of one lies in
-/// front of the other; the mean over all views, twice Gauss's linking integral of the two pieces, is near 2 for a clasp and
-/// near 0 for a side pushed out of its loop.
+/// Seen from anywhere, a side that is pulled through a loop crosses it twice in the same sense, unless an end of one
+/// lies in front of the other; the mean over all views, twice Gauss's linking integral of the two pieces, is near 2 for
+/// a clasp and near 0 for a side pushed out of its loop.
 int Clasps::count(const Crossing& of, const Place& at, const Points& q) const {
   static const std::array<Vec3, view_count> views = spread_views();
   const Points loop = polyline(fabric_, q, of.loop_first + at.loop, of.loop_last + at.loop, per_segment);
@@ -57,7 +58,8 @@ bool Clasps::within_yarn(const Crossing& of, const Place& at) const {
          on_one_yarn(of.loop_first + at.loop, of.loop_last + at.loop);
 }
 
-/// Along both yarns while the count rises. The next clasp, a whole loop away, is out of reach, and of the opposite sense.
+/// Along both yarns while the count rises. The next clasp, a whole loop away, is out of reach, and of the opposite
+/// sense.
 Clasps::Place Clasps::climb(const Crossing& of, const Place& from, const Points& q) const {
   const int side_reach = reach(of.side_first, of.side_last), loop_reach = reach(of.loop_first, of.loop_last);
   Place best = from;

@@ -7,15 +7,15 @@
 
 namespace wale {
 
-/// The demanded crossings of a fabric, followed from state to state. Yarn slides through a pulled fabric, so that in the end
-/// not the segments cross that the compiler named; from one state to the next it slides little.
+/// The demanded crossings of a fabric, followed from state to state. Yarn slides through a pulled fabric, so that in
+/// the end not the segments cross that the compiler named; from one state to the next it slides little.
 class Clasps {
  public:
   Clasps(const Fabric&, const std::vector<Crossing>&);
 
-  /// Which of the crossings a state has, in their order: over all directions of view, the side of a loop crosses the loop that it was
-  /// pulled through twice, both times with `Crossing::sign`, rather than not at all. The state may be in any pose. Between
-  /// it and the one before, yarn may have slid by up to a quarter of a loop.
+  /// Which of the crossings a state has, in their order: over all directions of view, the side of a loop crosses the
+  /// loop that it was pulled through twice, both times with `Crossing::sign`, rather than not at all. The state may be
+  /// in any pose. Between it and the one before, yarn may have slid by up to a quarter of a loop.
   std::vector<bool> follow(const Points& q);
 
  private:
@@ -31,7 +31,8 @@ class Clasps {
   std::vector<Place> places_;
 };
 
-/// Whether the two pieces of a crossing, where the compiler named them, cross twice with its sign when seen along `along`.
+/// Whether the two pieces of a crossing, where the compiler named them, cross twice with its sign when seen along
+/// `along`.
 bool crosses_twice(const Fabric&, const Crossing&, const Points& q, const Vec3& along);
 
 }  // namespace wale

@@ -22,18 +22,19 @@ enum class ContactLaw : std::uint8_t {
 /// A yarn as the mechanics sees it. The defaults are the corrected 16/2 acrylic of Ding et al. 2023, Table 1.
 struct Material {
   std::string name = "acrylic_16_2";
-  double linear_density = 77e-6;        ///< rho, kg/m
-  double axial_stiffness = 68.1;        ///< EA, N
-  double bending_rigidity = 1.474e-8;   ///< EI, N m²
-  double diameter = 0.524e-3;           ///< contact diameter d, m
+  double linear_density = 77e-6;       ///< rho, kg/m
+  double axial_stiffness = 68.1;       ///< EA, N
+  double bending_rigidity = 1.474e-8;  ///< EI, N m²
+  double diameter = 0.524e-3;          ///< contact diameter d, m
   ContactLaw law = ContactLaw::barrier;
-  double contact_stiffness = 300;       ///< k, N/m
-  double core_diameter = 0.2e-3;        ///< core_shell only: c = core_diameter / diameter, m
-  double shell_exponent = 2.4;          ///< core_shell only: p > 2
+  double contact_stiffness = 300;  ///< k, N/m
+  double core_diameter = 0.2e-3;   ///< core_shell only: c = core_diameter / diameter, m
+  double shell_exponent = 2.4;     ///< core_shell only: p > 2
   bool operator==(const Material&) const = default;
 };
 
-/// One unit of the spline parameter. The yarn's rest length goes from `length` to `knitted` while a fabric is tightened.
+/// One unit of the spline parameter. The yarn's rest length goes from `length` to `knitted` while a fabric is
+/// tightened.
 struct Segment {
   std::int32_t yarn = 0;      ///< index into Fabric::yarns
   std::int32_t material = 0;  ///< index into Fabric::materials

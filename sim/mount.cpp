@@ -17,7 +17,9 @@ std::optional<Mounted> latest(const std::vector<Mounted>& tried, bool pulls) {
   return found == tried.rend() ? std::nullopt : std::optional(*found);
 }
 
-double secant(const Mounted& a, const Mounted& b) { return b.travel - b.force * (b.travel - a.travel) / (b.force - a.force); }
+double secant(const Mounted& a, const Mounted& b) {
+  return b.travel - b.force * (b.travel - a.travel) / (b.force - a.force);
+}
 
 }  // namespace
 

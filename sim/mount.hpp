@@ -11,8 +11,9 @@ struct Mounted {
   double force = 0;   ///< N, positive where the fabric pulls
 };
 
-/// Where the grips go next, m: by secants, within the nearest pair of a pull and a push once there is one, and never further
-/// than 2 % of `gauge_length` at a time. First they stay where they closed. As ISO 13934-1 mounts a strip without pretension.
+/// Where the grips go next, m: by secants, within the nearest pair of a pull and a push once there is one, and never
+/// further than 2 % of `gauge_length` at a time. First they stay where they closed. As ISO 13934-1 mounts a strip
+/// without pretension.
 double next_travel(const std::vector<Mounted>& tried, double gauge_length);
 
 }  // namespace wale

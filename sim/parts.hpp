@@ -23,7 +23,8 @@ struct Parts {
     const Segment& of = fabric.segment(segment);
     return of.length + (of.knitted - of.length) * tightening(t);
   }
-  /// The contact beads for this sampling and screening, made when first asked for and shared by contact and its damping.
+  /// The contact beads for this sampling and screening, made when first asked for and shared by contact and its
+  /// damping.
   std::shared_ptr<Beads> beads(double sampling, double screening);
 
   std::map<std::pair<double, double>, std::shared_ptr<Beads>> made_beads{};

@@ -55,7 +55,8 @@ class Run {
     const Stage& of = stage_at(stage);
     // Once gripped a fabric no longer lies as it relaxed.
     const bool gripped_before = stage > 0 && grips(stage_at(stage - 1));
-    if (grips(of) && !gripped_before) results_.relaxed = measure(results_.scene.fabric, results_.scene.gauge, results_.snapshots.back().state.q);
+    if (grips(of) && !gripped_before)
+      results_.relaxed = measure(results_.scene.fabric, results_.scene.gauge, results_.snapshots.back().state.q);
     const StageSetup setup(results_.scene, of, start_of(stage), tightened_before(stage), results_.relaxed);
     record(stage, setup, start_of(stage));
   }
@@ -121,8 +122,9 @@ class Run {
   Outcome until(int index, const StageSetup& setup, double t, State& state) {
     const auto world = setup.world();
     world->heed(options_.interrupt);
-    const auto solver = std::visit([&](const auto& spec) { return make(timed(spec, stage_at(index).duration), *world, state); },
-                                   stage_at(index).solver);
+    const auto solver =
+        std::visit([&](const auto& spec) { return make(timed(spec, stage_at(index).duration), *world, state); },
+                   stage_at(index).solver);
     Outcome outcome = Outcome::finished;
     while (true) {
       const Progress progress = solver->advance(t);
@@ -147,7 +149,8 @@ class Run {
     row.insert(row.end(), measured.begin(), measured.end());
     append_row(results_.samples, row);
     results_.topology = worse(results_.topology, tally(clasps_.follow(state.q)));
-    if (!world->parts().made_beads.empty()) results_.contact_samples = world->parts().made_beads.begin()->second->total();
+    if (!world->parts().made_beads.empty())
+      results_.contact_samples = world->parts().made_beads.begin()->second->total();
   }
 
   void add_effort(const Effort& effort) {
@@ -167,7 +170,8 @@ class Run {
   void tell(int index, double t) const {
     if (!options_.progress) return;
     const Stage& stage = stage_at(index);
-    options_.progress({stage.name, index, static_cast<int>(results_.scene.stages.size()), t / stage.duration, &results_});
+    options_.progress(
+        {stage.name, index, static_cast<int>(results_.scene.stages.size()), t / stage.duration, &results_});
   }
 
   Results& results_;

@@ -12,14 +12,14 @@ namespace wale {
 struct RunStatus {
   std::string stage;
   int stage_index = 0, stages = 0;
-  double fraction = 0;          ///< of this stage, 0 ... 1
+  double fraction = 0;  ///< of this stage, 0 ... 1
   const Results* results = nullptr;
 };
 
 struct RunOptions {
-  std::function<void(const RunStatus&)> progress;      ///< after every accepted step; may be empty
-  std::function<void(const Results&)> save;            ///< after every sample; may be empty
-  const std::atomic<bool>* interrupt = nullptr;        ///< set to stop at the next accepted step
+  std::function<void(const RunStatus&)> progress;  ///< after every accepted step; may be empty
+  std::function<void(const Results&)> save;        ///< after every sample; may be empty
+  const std::atomic<bool>* interrupt = nullptr;    ///< set to stop at the next accepted step
 };
 
 enum class Outcome { finished, interrupted, failed };

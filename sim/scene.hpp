@@ -30,9 +30,9 @@ struct Drag {
 };
 /// Yarns push each other apart; law, stiffness and diameter are the material's (Eqs. 17-20).
 struct Contact {
-  double sampling = 0.03;       ///< α of Eq. (A.5): sets the number of beads a segment
-  double screening = 1.6;       ///< β: beads of one yarn nearer along it than β d do not touch
-  bool inflate_beads = false;   ///< the paper's option: d_con of Eq. (A.4) in the sum instead of d
+  double sampling = 0.03;      ///< α of Eq. (A.5): sets the number of beads a segment
+  double screening = 1.6;      ///< β: beads of one yarn nearer along it than β d do not touch
+  bool inflate_beads = false;  ///< the paper's option: d_con of Eq. (A.4) in the sum instead of d
 };
 /// Viscous damping where yarns touch (Eqs. 19, 21); not friction.
 struct ContactDamping {
@@ -45,12 +45,12 @@ struct ContactDamping {
 struct Tether {
   std::string label = "tether";
   std::vector<int> segments;
-  double stiffness = 1e6;     ///< k_t, N/m²
-  Vec3 axes{1, 1, 1};         ///< W: 1 holds along that axis, 0 leaves it free
-  Vec3 centre{0, 0, 0};       ///< m
-  Vec3 scale{1, 1, 1};        ///< at p = 1
-  Vec3 move{0, 0, 0};         ///< at p = 1, m
-  Schedule progress = 0.0;    ///< p(t)
+  double stiffness = 1e6;   ///< k_t, N/m²
+  Vec3 axes{1, 1, 1};       ///< W: 1 holds along that axis, 0 leaves it free
+  Vec3 centre{0, 0, 0};     ///< m
+  Vec3 scale{1, 1, 1};      ///< at p = 1
+  Vec3 move{0, 0, 0};       ///< at p = 1, m
+  Schedule progress = 0.0;  ///< p(t)
 };
 /// Two smooth plates a distance apart keep a swatch flat, as one lays it on a table:
 /// V = k_p l0 ∫ max(0, |z| - gap/2)² ds.
@@ -76,9 +76,9 @@ using EffectSpec = std::variant<Stretch, Bend, Gravity, Drag, Contact, ContactDa
 
 /// Explicit Runge-Kutta 4(3), adaptive (Ding et al. 2023, A.1; Hairer, Nørsett & Wanner I, II.4).
 struct RungeKutta {
-  double relative = 1e-4;     ///< error per step over the size of the state
-  double absolute = 1e-8;     ///< m, and m/s for velocities
-  double first_step = 0;      ///< s; 0: Hairer's choice
+  double relative = 1e-4;  ///< error per step over the size of the state
+  double absolute = 1e-8;  ///< m, and m/s for velocities
+  double first_step = 0;   ///< s; 0: Hairer's choice
 };
 /// Equilibrium after equilibrium, by a trust-region Newton method on the energy.
 struct QuasiStatic {
@@ -100,15 +100,15 @@ struct Pull {
 enum class Hold : std::uint8_t { none, ends };
 
 struct Stage {
-  std::string name = "run";          ///< "tighten", "relax", "pull": in results and messages
-  double duration = 1;               ///< s; quasi-static: the load parameter's range
-  int samples = 10;                  ///< snapshots at even intervals, the last one at the end
-  std::optional<double> tighten;     ///< rest lengths go to this share of the way from `length` to `knitted`
-  Hold hold = Hold::none;            ///< `ends`: cast-on and bind-off are held and shrink with the rest length
-  std::optional<Along> mount;        ///< the ends are held sideways and free along this direction, as when clamped
+  std::string name = "run";       ///< "tighten", "relax", "pull": in results and messages
+  double duration = 1;            ///< s; quasi-static: the load parameter's range
+  int samples = 10;               ///< snapshots at even intervals, the last one at the end
+  std::optional<double> tighten;  ///< rest lengths go to this share of the way from `length` to `knitted`
+  Hold hold = Hold::none;         ///< `ends`: cast-on and bind-off are held and shrink with the rest length
+  std::optional<Along> mount;     ///< the ends are held sideways and free along this direction, as when clamped
   std::optional<Pull> pull;
-  double grip_stiffness = 1e6;       ///< k_t of the tethers of `hold` and `pull`, N/m²
-  std::vector<EffectSpec> effects;   ///< what is not here is not simulated
+  double grip_stiffness = 1e6;      ///< k_t of the tethers of `hold` and `pull`, N/m²
+  std::vector<EffectSpec> effects;  ///< what is not here is not simulated
   SolverSpec solver;
 };
 

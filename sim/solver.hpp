@@ -24,9 +24,9 @@ struct Effort {
 class Solver {
  public:
   virtual ~Solver() = default;
-  virtual Progress advance(double until) = 0;   ///< one accepted step, never past `until`, s
-  virtual const State& state() const = 0;       ///< after the last accepted step
-  virtual State at(double t) const = 0;         ///< within the last step, to the solver's own order
+  virtual Progress advance(double until) = 0;  ///< one accepted step, never past `until`, s
+  virtual const State& state() const = 0;      ///< after the last accepted step
+  virtual State at(double t) const = 0;        ///< within the last step, to the solver's own order
   virtual const Effort& effort() const = 0;
 };
 

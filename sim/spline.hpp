@@ -14,7 +14,8 @@ struct Basis {
   std::array<double, 4> value, first, second;
 };
 
-/// The cubic B-spline of Ding et al. 2023, Eq. (1), as corrected: B(s) = 2/3 - s² + |s|³/2 inside, (2 - |s|)³/6 outside.
+/// The cubic B-spline of Ding et al. 2023, Eq. (1), as corrected: B(s) = 2/3 - s² + |s|³/2 inside, (2 - |s|)³/6
+/// outside.
 constexpr Basis basis(double s) {
   const double r = 1 - s;
   return {{r * r * r / 6, 2.0 / 3 - s * s + s * s * s / 2, 2.0 / 3 - r * r + r * r * r / 2, s * s * s / 6},

@@ -12,8 +12,9 @@ namespace wale {
 /// A stage, standing at its start. Grips hold what lies in them there.
 class StageSetup {
  public:
-  /// `start` is the state at the stage's beginning, with t = 0; `tightened` is how far rest lengths have come before it;
-  /// `travels` are the distances, m, by which the grips of a mount stand further apart at each sample so far, from 0.
+  /// `start` is the state at the stage's beginning, with t = 0; `tightened` is how far rest lengths have come before
+  /// it; `travels` are the distances, m, by which the grips of a mount stand further apart at each sample so far, from
+  /// 0.
   StageSetup(const Scene&, const Stage&, const State& start, double tightened, const Sizes& relaxed,
              const std::vector<double>& travels = {0});
 

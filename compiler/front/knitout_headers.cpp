@@ -86,8 +86,9 @@ std::optional<int> add_carrier(std::string_view name, KnitoutReading& reading) {
   auto& carriers = reading.program.carriers;
   const bool long_name = name.size() > limits::longest_name;
   if (name.find_first_of(",;") != name.npos) {
-    reading.say.error(codes::carriers_header, reading.span_of(name), fmt::format("{} is no carrier's name", quoted(name)),
-                      "separate carriers by blanks; commas and semicolons tell the carriers of a rail apart in the header");
+    reading.say.error(
+        codes::carriers_header, reading.span_of(name), fmt::format("{} is no carrier's name", quoted(name)),
+        "separate carriers by blanks; commas and semicolons tell the carriers of a rail apart in the header");
     return std::nullopt;
   }
   if (long_name || carriers.size() == limits::most_carriers) {

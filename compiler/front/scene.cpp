@@ -38,13 +38,14 @@ std::optional<IntRange> read_range(const YamlNode* node, Diagnostics& say) {
   if (!node) return std::nullopt;
   const auto range = parse_range(node->text);
   if (!range)
-    say.error("Y007", node->span, fmt::format("\"{}\" is not a range", node->text), "write the first and the last, as in 5-20");
+    say.error("Y007", node->span, fmt::format("\"{}\" is not a range", node->text),
+              "write the first and the last, as in 5-20");
   return range;
 }
 
 void read_fabric(const YamlNode& node, ParsedScene& scene, Diagnostics& say) {
-  const Fields fields(node, "a fabric", {"pattern", "crop", "wales", "courses", "yarn", "stitch_length", "segments_per_stitch"},
-                      say);
+  const Fields fields(node, "a fabric",
+                      {"pattern", "crop", "wales", "courses", "yarn", "stitch_length", "segments_per_stitch"}, say);
   if (const YamlNode* pattern = fields.require("pattern", "name a chart, as in `pattern: ../patterns/jersey.yaml`")) {
     scene.pattern_path = beside(node.span.source->name, read_text(*pattern, "a pattern", say).value_or(""));
     scene.pattern_span = pattern->span;
@@ -68,11 +69,12 @@ void read_fabric(const YamlNode& node, ParsedScene& scene, Diagnostics& say) {
     const auto count = read_count(*segments, "the number of segments a stitch", least_segments, most_segments, say);
     scene.segments_per_stitch = count.value_or(scene.segments_per_stitch);
     if (count && *count < sound_segments)
-      say.warning("S006", segments->span,
-                  fmt::format("with {} segments a stitch the spline cuts corners: yarns start as near as a quarter of a "
-                              "diameter",
-                              *count),
-                  fmt::format("use {} or more, or expect a first step that pushes hard", sound_segments));
+      say.warning(
+          "S006", segments->span,
+          fmt::format("with {} segments a stitch the spline cuts corners: yarns start as near as a quarter of a "
+                      "diameter",
+                      *count),
+          fmt::format("use {} or more, or expect a first step that pushes hard", sound_segments));
   }
 }
 

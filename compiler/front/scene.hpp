@@ -18,7 +18,7 @@ struct ParsedScene {
   std::string pattern_path;  ///< of the chart or knitout file, resolved against the scene file's folder
   Span pattern_span;
   ChartOverrides overrides;
-  Crop crop;                 ///< of a knitout file
+  Crop crop;  ///< of a knitout file
   int segments_per_stitch = 12;
   double thickness = 0;  ///< 2r of sigma = F / (2r S_R), m; 0: twice the contact diameter
   std::vector<Stage> stages;

@@ -36,7 +36,8 @@ class Settings {
   Diagnostics& say_;
 };
 
-constexpr Range samplings{1e-4, 0.5}, screenings{0.5, 20}, tolerances{1e-14, 0.1}, residuals{1e-14, 1e3}, shares{1e-12, 1};
+constexpr Range samplings{1e-4, 0.5}, screenings{0.5, 20}, tolerances{1e-14, 0.1}, residuals{1e-14, 1e3},
+    shares{1e-12, 1};
 constexpr int most_nodes = 5;
 
 Stretch read_stretch(const YamlNode& node, Diagnostics& say) {

@@ -18,8 +18,10 @@ class StageReader {
  public:
   StageReader(const YamlNode& node, Stage common, Diagnostics& say)
       : node_(node),
-        fields_(node, "a stage",
-                {"name", "duration", "samples", "tighten", "hold", "mount", "pull", "grip_stiffness", "effects", "solver"}, say),
+        fields_(
+            node, "a stage",
+            {"name", "duration", "samples", "tighten", "hold", "mount", "pull", "grip_stiffness", "effects", "solver"},
+            say),
         stage_(std::move(common)),
         say_(say) {}
 

@@ -57,8 +57,7 @@ std::size_t ArcLength::piece_at(double s) const {
 
 double ArcLength::up_to(std::size_t piece, double u) const {
   const int step = std::clamp(static_cast<int>(u * steps), 0, steps - 1);
-  return knots_[piece][static_cast<std::size_t>(step)] +
-         length_between(curve_.pieces[piece], step / double(steps), u);
+  return knots_[piece][static_cast<std::size_t>(step)] + length_between(curve_.pieces[piece], step / double(steps), u);
 }
 
 CurvePiece::Point ArcLength::at(double s) const {
@@ -67,8 +66,8 @@ CurvePiece::Point ArcLength::at(double s) const {
   const double along = std::clamp(s - start_[piece], 0.0, knots.back());
   const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, along);
   const double high = double(std::distance(knots.begin(), after)) / steps;
-  const double u = ridders([&](double x) { return up_to(piece, x) - along; }, high - 1.0 / steps, high,
-                           1e-13 * total());
+  const double u =
+      ridders([&](double x) { return up_to(piece, x) - along; }, high - 1.0 / steps, high, 1e-13 * total());
   return curve_.pieces[piece].at(u);
 }
 

@@ -76,7 +76,8 @@ class Hangings {
 };
 
 double needles_between(const StitchGraph& graph, const YarnStep& step) {
-  const Loop &from = graph.loops[static_cast<std::size_t>(step.from)], &to = graph.loops[static_cast<std::size_t>(step.to)];
+  const Loop &from = graph.loops[static_cast<std::size_t>(step.from)],
+             &to = graph.loops[static_cast<std::size_t>(step.to)];
   return std::abs(position(to.needle, to.racking) - position(from.needle, from.racking));
 }
 
@@ -123,13 +124,10 @@ class Levels {
   Levels(const StitchGraph& graph, const Arrangement& arrangement, const std::vector<bool>& chained)
       : graph_(graph), arrangement_(arrangement), chained_(chained), of_(graph.loops.size(), 0) {}
 
-  /// As courses_of(), but a chain along an edge stays in one course, a tuck lies one above the loops that it hangs with, and
-  /// a cast-on that goes back over itself lies a little higher each time.
+  /// As courses_of(), but a chain along an edge stays in one course, a tuck lies one above the loops that it hangs
+  /// with, and a cast-on that goes back over itself lies a little higher each time.
   std::vector<double> find() {
-    std::vector<int> before(of_.size(), -1);
-    for (const YarnPath& yarn : graph_.yarns)
-      for (std::size_t k = 1; k < yarn.loops.size(); ++k)
-        before[static_cast<std::size_t>(yarn.loops[k])] = yarn.loops[k - 1];
+    const std::vector<int> before = loops_before(graph_);
     for (int i = 0; i < static_cast<int>(of_.size()); ++i)
       level(i) = loop(i).through.empty() ? beside(i, before[static_cast<std::size_t>(i)]) : above(i);
     return of_;
@@ -246,8 +244,8 @@ class Arranging {
     return springs.rest();
   }
 
-  /// Where both beds knit a sheet each, as in a tube, the sheets lie apart; where stitches of both alternate they draw each
-  /// other to the middle.
+  /// Where both beds knit a sheet each, as in a tube, the sheets lie apart; where stitches of both alternate they draw
+  /// each other to the middle.
   Eigen::VectorXd sheets() const {
     Springs springs(of_.anchors.size());
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
@@ -285,7 +283,8 @@ class Arranging {
     std::vector<Vec3> lean(of_.anchors.size(), Vec3(0, size_.pitch, 0));
     for (const Hanging& loop : of_.loops) {
       if (loop.passes) continue;
-      Vec3 rise = of_.anchors[static_cast<std::size_t>(loop.head)].at - of_.anchors[static_cast<std::size_t>(loop.feet)].at;
+      Vec3 rise =
+          of_.anchors[static_cast<std::size_t>(loop.head)].at - of_.anchors[static_cast<std::size_t>(loop.feet)].at;
       rise.z() = 0;
       lean[static_cast<std::size_t>(loop.feet)] += rise;
       lean[static_cast<std::size_t>(loop.head)] += rise;

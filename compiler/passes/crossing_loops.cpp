@@ -21,8 +21,8 @@ int order(const Needle& a, const Needle& b, double racking) {
   return apart > 0 ? 1 : apart < 0 ? -1 : 0;
 }
 
-/// +1 if `a` passes before `b` the last time that they change places, -1 if behind it, 0 if they end in the order in which
-/// they began.
+/// +1 if `a` passes before `b` the last time that they change places, -1 if behind it, 0 if they end in the order in
+/// which they began.
 int passes_in_front(const Loop& a, const Loop& b) {
   std::map<int, double> events;  // racking by instruction
   for (const Loop* loop : {&a, &b})
@@ -53,7 +53,8 @@ void mark_crossing_loops(const StitchGraph& graph, Arrangement& arrangement) {
       for (const int b : loops) {
         const Loop &of_a = graph.loops[static_cast<std::size_t>(a)], &of_b = graph.loops[static_cast<std::size_t>(b)];
         if (a == b || std::abs(of_a.needle.index - of_b.needle.index) > 20) continue;
-        if (const int front = passes_in_front(of_a, of_b)) arrangement.loops[static_cast<std::size_t>(a)].passes = front;
+        if (const int front = passes_in_front(of_a, of_b))
+          arrangement.loops[static_cast<std::size_t>(a)].passes = front;
       }
 }
 

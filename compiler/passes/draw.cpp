@@ -11,15 +11,15 @@ namespace {
 
 using Point = CurvePiece::Point;
 
-constexpr double deeper = 0.6;        // a loop reaches by so much deeper for each further one that hangs with it
-constexpr double aside = 1.1;         // of a loop that crosses another, in diameters
-constexpr double turn_reach = 2;      // tangents of a turn, by its width
-constexpr double turn_shrink = 0.7;   // turns are drawn wide and knitted straight
-constexpr double same_sheet = 1.5;    // diameters: loops further off in depth are of the other face of a tube
-constexpr double past_first = 0.65;   // in w: the legs of a split loop have passed the first loop pulled through it,
+constexpr double deeper = 0.6;          // a loop reaches by so much deeper for each further one that hangs with it
+constexpr double aside = 1.1;           // of a loop that crosses another, in diameters
+constexpr double turn_reach = 2;        // tangents of a turn, by its width
+constexpr double turn_shrink = 0.7;     // turns are drawn wide and knitted straight
+constexpr double same_sheet = 1.5;      // diameters: loops further off in depth are of the other face of a tube
+constexpr double past_first = 0.65;     // in w: the legs of a split loop have passed the first loop pulled through it,
 constexpr double before_second = 0.85;  // and come to the second
-constexpr double long_way = 2.5;      // courses: no turn goes so far
-constexpr double beside = 1.3;        // wales beside the outermost loops
+constexpr double long_way = 2.5;        // courses: no turn goes so far
+constexpr double beside = 1.3;          // wales beside the outermost loops
 
 class Drawing {
  public:
@@ -121,8 +121,8 @@ class Drawing {
                        loop, material_, stitch_length(loop) * (to - from) / 4, 1});
   }
 
-  /// A loop through which two others were pulled, one after the other: its legs pass the first as any loop's, go on, and
-  /// its head holds the second.
+  /// A loop through which two others were pulled, one after the other: its legs pass the first as any loop's, go on,
+  /// and its head holds the second.
   void add_split(const HungLoop& shape, int loop) {
     HungLoop upper = shape;
     upper.here = bearing(loop, hanging(loop).head);
@@ -167,7 +167,8 @@ class Drawing {
 
   /// A yarn that was not knitted for some courses has waited beside the fabric, and comes up along its side.
   std::vector<Vec3> round_the_side(const Point& from, const Point& to) const {
-    const double side = from.dy.x() < 0 ? -1 : 1, low = std::min(from.y.y(), to.y.y()), high = std::max(from.y.y(), to.y.y());
+    const double side = from.dy.x() < 0 ? -1 : 1, low = std::min(from.y.y(), to.y.y()),
+                 high = std::max(from.y.y(), to.y.y());
     double outermost = std::max(side * from.y.x(), side * to.y.x());
     for (const Anchor& each : arrangement_.anchors)
       if (each.at.y() > low - size_.pitch && each.at.y() < high + size_.pitch)
@@ -186,7 +187,9 @@ class Drawing {
       const double share = ((feet.x() + head.x()) / 2 - from.x()) / across;
       if (!(share > 0.05 && share < 0.95)) continue;
       Vec3 at = from + share * (to - from);
-      if (std::abs((feet.z() + head.z()) / 2 - at.z()) > same_sheet * diameter_ && !between_sheets(feet, head, from, to)) continue;
+      if (std::abs((feet.z() + head.z()) / 2 - at.z()) > same_sheet * diameter_ &&
+          !between_sheets(feet, head, from, to))
+        continue;
       at.z() = (feet.z() + head.z()) / 2 - of.sign * size_.z;
       stops[share] = at;
     }

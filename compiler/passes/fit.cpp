@@ -21,7 +21,7 @@ std::vector<double> shrinkage(const YarnCurve& yarn, const ArcLength& arc) {
   std::vector<double> shares;
   for (std::size_t i = 0; i < yarn.pieces.size(); ++i)
     shares.push_back(yarn.pieces[i].stitch_length > 0 ? yarn.pieces[i].stitch_length / arc.length_of(i)
-                                                        : average * yarn.pieces[i].shrink);
+                                                      : average * yarn.pieces[i].shrink);
   return shares;
 }
 
@@ -47,8 +47,8 @@ double stitch_length_drawn(const YarnCurve& yarn, const ArcLength& arc) {
 
 void fit_yarn(const YarnCurve& curve, int segments_per_stitch, Fabric& fabric) {
   const ArcLength arc(curve);
-  const int count = std::max(
-      4, static_cast<int>(std::lround(arc.total() / stitch_length_drawn(curve, arc) * segments_per_stitch)));
+  const int count =
+      std::max(4, static_cast<int>(std::lround(arc.total() / stitch_length_drawn(curve, arc) * segments_per_stitch)));
   const double length = arc.total() / count;
   const std::vector<double> shares = shrinkage(curve, arc);
 

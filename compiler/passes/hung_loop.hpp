@@ -28,8 +28,8 @@ struct HungLoop {
   std::optional<Bearing> left, right;
 };
 
-/// w in [-2, 2], as in loop_point(): feet left and right, head at 0. Where both anchors lie a pitch above each other, and
-/// those beside a wale away, it is that loop exactly.
+/// w in [-2, 2], as in loop_point(): feet left and right, head at 0. Where both anchors lie a pitch above each other,
+/// and those beside a wale away, it is that loop exactly.
 Curve3 hung_point(const LoopSize&, const HungLoop&, double w);
 
 }  // namespace wale

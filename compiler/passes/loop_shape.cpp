@@ -14,8 +14,8 @@ constexpr double tightest = 0.98;    // a stitch drawn is at least so much longe
 constexpr double phase_shift = 0.2;  // in half waves, towards the leg's middle
 
 /// Where the loop above has the same sign, the paper's form; where not, three half waves instead of two from head to
-/// sinker, so that all four depths still follow the rule. They are shorter about the leg's middle, where nothing crosses,
-/// for the sake of head and sinker. In λz, slope by w.
+/// sinker, so that all four depths still follow the rule. They are shorter about the leg's middle, where nothing
+/// crosses, for the sake of head and sinker. In λz, slope by w.
 Smooth own_depth(const LoopSigns& signs, double w) {
   Smooth phase{w, 1};
   if (signs.own != signs.above)

@@ -16,8 +16,8 @@ struct LoopSize {
 };
 
 /// Loops round a yarn of contact diameter `diameter` whose axes keep 0.8 diameters apart, whatever the stitches (jersey
-/// keeps 0.9), once drawn with twelve segments a stitch; 0.7 where a tube is bound off. `enlarge` >= 1 scales them in the
-/// plane.
+/// keeps 0.9), once drawn with twelve segments a stitch; 0.7 where a tube is bound off. `enlarge` >= 1 scales them in
+/// the plane.
 LoopSize loose_loops(double diameter, double enlarge);
 
 /// Signs of a loop: its own, s, and that of the loop pulled through it, S; +1 is knit, -1 purl, seen from the face.

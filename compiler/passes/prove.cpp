@@ -9,12 +9,13 @@
 namespace wale::passes {
 namespace {
 
-/// As the viewer sees it. What lies flat shows all its crossings at once; only where it does not is there a need to look
-/// from all sides.
+/// As the viewer sees it. What lies flat shows all its crossings at once; only where it does not is there a need to
+/// look from all sides.
 std::vector<Crossing> unclear_from_the_face(const Fabric& fabric, const std::vector<Crossing>& crossings) {
   std::vector<char> clear(crossings.size(), 0);
 #pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < crossings.size(); ++i) clear[i] = crosses_twice(fabric, crossings[i], fabric.points, Vec3::UnitZ());
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    clear[i] = crosses_twice(fabric, crossings[i], fabric.points, Vec3::UnitZ());
   std::vector<Crossing> unclear;
   for (std::size_t i = 0; i < crossings.size(); ++i)
     if (!clear[i]) unclear.push_back(crossings[i]);

@@ -96,24 +96,19 @@ YarnStep step_between(const StitchGraph& graph, int from, int to, const Needles&
 }  // namespace
 
 Surroundings surroundings(const StitchGraph& graph) {
-  std::vector<int> before(graph.loops.size(), -1);
-  std::vector<std::size_t> place(graph.loops.size(), 0);  // of the step that leads to a loop
+  const std::vector<int> before = loops_before(graph);
+  std::vector<YarnStep> to(graph.loops.size());  // the step that leads to each loop
   Surroundings found;
-  for (const YarnPath& yarn : graph.yarns)
-    for (std::size_t k = 1; k < yarn.loops.size(); ++k) {
-      const auto to = static_cast<std::size_t>(yarn.loops[k]);
-      before[to] = yarn.loops[k - 1];
-      place[to] = found.steps.size();
-      found.steps.emplace_back();
-    }
-  found.across.resize(graph.loops.size());
   Needles needles(graph);
   for (std::size_t i = 0; i < graph.loops.size(); ++i) {
     const Loop& loop = graph.loops[i];
     needles.go_to(loop.instruction);
-    found.across[i] = needles.across(loop.needle, loop.racking);
-    if (before[i] >= 0) found.steps[place[i]] = step_between(graph, before[i], static_cast<int>(i), needles);
+    found.across.push_back(needles.across(loop.needle, loop.racking));
+    if (before[i] >= 0) to[i] = step_between(graph, before[i], static_cast<int>(i), needles);
   }
+  for (const YarnPath& yarn : graph.yarns)
+    for (std::size_t k = 1; k < yarn.loops.size(); ++k)
+      found.steps.push_back(std::move(to[static_cast<std::size_t>(yarn.loops[k])]));
   return found;
 }
 

@@ -11,14 +11,14 @@ namespace {
 
 using Point = CurvePiece::Point;
 
-constexpr double chain_radius = 1.3;      // of the cast-on and bind-off spirals, in diameters
+constexpr double chain_radius = 1.3;  // of the cast-on and bind-off spirals, in diameters
 // Beyond what the stitches shrink: joins are drawn in wide half circles and knitted straight, and a chain pulled tight
 // keeps the heads that it holds from turning over.
 constexpr double join_shrink = 0.7;
 constexpr double chain_shrink = 0.9;
 
-/// How a tube's yarn rises from the foot of its last loop into the bind-off, between that loop and the next one; found by
-/// search for the most room. In diameters.
+/// How a tube's yarn rises from the foot of its last loop into the bind-off, between that loop and the next one; found
+/// by search for the most room. In diameters.
 struct Rise {
   double ahead = 0.26, up = -1.19;  ///< of the middle between foot and spiral
   double aside = 0.4;               ///< away from the leg and the head on either side, if these lie on one side
@@ -116,8 +116,8 @@ class Drawing {
     bridge(end(), to, reach, reach, at(course, forward(course) ? 0 : layout_.wales - 1).material);
   }
 
-  /// A spiral in the strip, round the sinkers below `course` or the heads above it, from one x to another; `ahead` is how
-  /// far the strip has gone on since it drew that course.
+  /// A spiral in the strip, round the sinkers below `course` or the heads above it, from one x to another; `ahead` is
+  /// how far the strip has gone on since it drew that course.
   void chain(int course, const ChainSize& size, double from, double to, double ahead) {
     const double wale = size_.wale(), first = centre_x(course, 0) + ahead;
     const std::vector<int> row = row_signs(course);
@@ -131,7 +131,8 @@ class Drawing {
             const double x = begin + u * width;
             const int here = static_cast<int>(std::lround((x - first) / wale));
             const auto sign = [&](int i) { return row[static_cast<std::size_t>(std::clamp(i, 0, last))]; };
-            const Curve3 c = chain_point(size, loops, sign(here - 1), sign(here), sign(here + 1), first + here * wale, x);
+            const Curve3 c =
+                chain_point(size, loops, sign(here - 1), sign(here), sign(here + 1), first + here * wale, x);
             return Point{c.y, width * c.dy};
           },
           edge_material(at(course, std::clamp(middle, 0, last)).material));
@@ -159,7 +160,8 @@ class Drawing {
     bridge(end(), turn, 2 * size_.x, 2 * size_.x, pieces_.back().material);
   }
 
-  /// Back over the last course of a flat fabric; on in the round over that of a tube, which lies one course lower there.
+  /// Back over the last course of a flat fabric; on in the round over that of a tube, which lies one course lower
+  /// there.
   void bind_off() {
     const int last = layout_.courses - 1, h = heading(last), material = pieces_.back().material;
     const double near = centre_x(last, forward(last) ? layout_.wales - 1 : 0) + 2 * size_.x * h;
@@ -185,7 +187,8 @@ class Drawing {
     const int first_wale = forward(course) ? 0 : layout_.wales - 1, last_wale = layout_.wales - 1 - first_wale;
     const PlacedLoop &leg_of = at(course, last_wale), &head_of = at(course, first_wale);
     const double aside = by.aside * (leg_of.sign - head_of.sign) / 2;
-    const Point between{(from.y + to.y) / 2 + diameter_ * Vec3(by.ahead * heading(course), by.up, aside), Vec3::UnitY()};
+    const Point between{(from.y + to.y) / 2 + diameter_ * Vec3(by.ahead * heading(course), by.up, aside),
+                        Vec3::UnitY()};
     bridge(from, between, by.leave * diameter_, by.middle * diameter_, leg_of.material);
     bridge(between, to, by.middle * diameter_, by.arrive * diameter_, leg_of.material);
   }

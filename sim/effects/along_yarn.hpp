@@ -48,7 +48,10 @@ class AlongYarn final : public Effect {
   /// The law at `nodes` Gauss nodes of each of `segments`; the first and the last segment of a yarn take `end_nodes`
   /// if that is more. `parts` must outlive the effect's last use.
   AlongYarn(L law, const Parts& parts, int nodes, std::vector<int> segments, int end_nodes = 0)
-      : law_(std::move(law)), parts_(parts), inner_(nodes), end_(std::max(nodes, end_nodes)),
+      : law_(std::move(law)),
+        parts_(parts),
+        inner_(nodes),
+        end_(std::max(nodes, end_nodes)),
         segments_(std::move(segments)) {
     for (const int segment : segments_) {
       first_site_.push_back(sites_);
@@ -134,10 +137,10 @@ class AlongYarn final : public Effect {
     std::size_t block = 0;
     for (std::size_t j = 0; j < 4; ++j)
       for (std::size_t k = j; k < 4; ++k, ++block) {
-        second.stiffness[block] += w * (b.value[j] * b.value[k] * c.y_y + b.first[j] * b.first[k] * c.dy_dy +
-                                        b.first[j] * b.second[k] * c.dy_ddy +
-                                        b.second[j] * b.first[k] * c.dy_ddy.transpose() +
-                                        b.second[j] * b.second[k] * c.ddy_ddy);
+        second.stiffness[block] +=
+            w *
+            (b.value[j] * b.value[k] * c.y_y + b.first[j] * b.first[k] * c.dy_dy + b.first[j] * b.second[k] * c.dy_ddy +
+             b.second[j] * b.first[k] * c.dy_ddy.transpose() + b.second[j] * b.second[k] * c.ddy_ddy);
         second.damping[block] += w * b.value[j] * b.value[k] * c.v_v;
       }
   }

@@ -24,8 +24,7 @@ class Grid {
     for (int i = 0; i < at.cols(); ++i) ++start_[flat(cell(at.col(i))) + 1];
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
     std::vector<int> next(start_.begin(), start_.end() - 1);
-    for (int i = 0; i < at.cols(); ++i)
-      order_[static_cast<std::size_t>(next[flat(cell(at.col(i)))]++)] = i;
+    for (int i = 0; i < at.cols(); ++i) order_[static_cast<std::size_t>(next[flat(cell(at.col(i)))]++)] = i;
   }
 
   template <class Visit>
@@ -44,7 +43,8 @@ class Grid {
   std::size_t flat(const Eigen::Vector3i& c) const {
     return static_cast<std::size_t>(c.x()) +
            static_cast<std::size_t>(cells_.x()) *
-               (static_cast<std::size_t>(c.y()) + static_cast<std::size_t>(cells_.y()) * static_cast<std::size_t>(c.z()));
+               (static_cast<std::size_t>(c.y()) +
+                static_cast<std::size_t>(cells_.y()) * static_cast<std::size_t>(c.z()));
   }
 
   Vec3 low_;
@@ -142,8 +142,8 @@ double Beads::closest_of(const Points& at, const SegmentPair& pair) const {
   for (int i = 0; i < count(pair.a); ++i)
     for (int j = 0; j < count(pair.b); ++j)
       if (!screened(pair.a, i, pair.b, j))
-        closest = std::min(closest, (at.col(first_bead_[index(pair.a)] + i) - at.col(first_bead_[index(pair.b)] + j))
-                                        .squaredNorm());
+        closest = std::min(
+            closest, (at.col(first_bead_[index(pair.a)] + i) - at.col(first_bead_[index(pair.b)] + j)).squaredNorm());
   return std::sqrt(closest) / diameter(pair.a, pair.b);
 }
 

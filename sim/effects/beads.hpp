@@ -68,7 +68,7 @@ class Beads {
   std::vector<double> arc_;                // bead positions along their yarn, knitted length, m
   std::vector<std::vector<Basis>> bases_;  // by bead count
   std::vector<SegmentPair> pairs_;
-  Points listed_at_;                       // beads when the list was made
+  Points listed_at_;  // beads when the list was made
   double closest_ = 0;
   long version_ = 0;
 };

@@ -54,8 +54,8 @@ struct BendLaw {
     const Mat3 area_ab = 2 * (2 * a * b.transpose() - b * a.transpose() - ab * one);
     const Mat3 area_bb = 2 * (aa * one - a * a.transpose());
     out.dy_dy = scale / 2 *
-                (area_aa * p3 - 6 * p4 * (area_a * a.transpose() + a * area_a.transpose()) -
-                 6 * area * p4 * one + 48 * area * p5 * a * a.transpose());
+                (area_aa * p3 - 6 * p4 * (area_a * a.transpose() + a * area_a.transpose()) - 6 * area * p4 * one +
+                 48 * area * p5 * a * a.transpose());
     out.dy_ddy = scale / 2 * (area_ab * p3 - 6 * p4 * a * area_b.transpose());
     out.ddy_ddy = scale / 2 * area_bb * p3;
   }

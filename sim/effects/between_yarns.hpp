@@ -23,8 +23,8 @@ struct Touch {
 /// What a law answers; zero at the start.
 struct Push {
   double energy = 0, dissipation = 0;
-  Vec3 on_a = Vec3::Zero();        ///< force on bead a, N; b gets the opposite
-  Mat3 stiffness = Mat3::Zero();   ///< second slope by `apart`, or by `velocity` if the law is not elastic
+  Vec3 on_a = Vec3::Zero();       ///< force on bead a, N; b gets the opposite
+  Mat3 stiffness = Mat3::Zero();  ///< second slope by `apart`, or by `velocity` if the law is not elastic
 };
 
 /// A law is asked only about beads nearer than their contact diameter.
@@ -32,7 +32,9 @@ template <class L>
 concept PairLaw = requires(const L& law, const Touch& touch, Push& push, bool second, bool convex) {
   { L::elastic } -> std::convertible_to<bool>;
   { law.name() } -> std::convertible_to<std::string_view>;
-  { law.diameter(touch.diameter, 0.0, 0.0) } -> std::convertible_to<double>;  // of two beads so far apart on their yarns
+  {
+    law.diameter(touch.diameter, 0.0, 0.0)
+    } -> std::convertible_to<double>;  // of two beads so far apart on their yarns
   { law(touch, push, second, convex) } -> std::same_as<void>;
 };
 
@@ -80,8 +82,12 @@ class BetweenYarns final : public Effect {
     const Fabric& fabric = parts_.fabric;
     const int na = beads_->count(pair.a), nb = beads_->count(pair.b);
     const double la = parts_.rest_length(pair.a, at.t) / na, lb = parts_.rest_length(pair.b, at.t) / nb;
-    Touch touch{{}, {}, la * lb, law_.diameter(beads_->diameter(pair.a, pair.b), la, lb),
-                &fabric.material_of(pair.a), &fabric.material_of(pair.b)};
+    Touch touch{{},
+                {},
+                la * lb,
+                law_.diameter(beads_->diameter(pair.a, pair.b), la, lb),
+                &fabric.material_of(pair.a),
+                &fabric.material_of(pair.b)};
     const int first_a = fabric.first_point(pair.a), first_b = fabric.first_point(pair.b);
     for (int i = 0; i < na; ++i) {
       const Basis& ba = beads_->basis_of(pair.a, i);
@@ -120,9 +126,7 @@ class BetweenYarns final : public Effect {
       for (std::size_t k = j; k < 8; ++k, ++block) (*local.second)[block] += weight[j] * weight[k] * push.stiffness;
   }
 
-  int point(const SegmentPair& pair, int k) const {
-    return parts_.fabric.first_point(k < 4 ? pair.a : pair.b) + k % 4;
-  }
+  int point(const SegmentPair& pair, int k) const { return parts_.fabric.first_point(k < 4 ? pair.a : pair.b) + k % 4; }
 
   /// Every listed pair gets its room in the pattern, touching or not, so that the pattern changes only with the list.
   void make_room(Stiffness& out) const {

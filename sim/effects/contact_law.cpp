@@ -33,8 +33,10 @@ Penalty core_shell(double k, double core, double p, double delta) {
 Penalty penalty(const Material& yarn, double delta) {
   if (delta >= 1) return {};
   switch (yarn.law) {
-    case ContactLaw::quadratic: return quadratic(yarn.contact_stiffness, delta);
-    case ContactLaw::barrier: return barrier(yarn.contact_stiffness, delta);
+    case ContactLaw::quadratic:
+      return quadratic(yarn.contact_stiffness, delta);
+    case ContactLaw::barrier:
+      return barrier(yarn.contact_stiffness, delta);
     case ContactLaw::core_shell:
       return core_shell(yarn.contact_stiffness, yarn.core_diameter / yarn.diameter, yarn.shell_exponent, delta);
   }

@@ -7,14 +7,14 @@
 namespace wale {
 namespace {
 
-constexpr double furthest_move = 0.3;   // of the diameter, in one iteration
-constexpr double share_of_gap = 0.45;   // two yarns that each move this share of their gap still do not meet
-// Of the diameter. Beads stand about 0.4 d apart: two yarns whose beads come much nearer than half of that diagonal could
-// pass between them unseen.
+constexpr double furthest_move = 0.3;  // of the diameter, in one iteration
+constexpr double share_of_gap = 0.45;  // two yarns that each move this share of their gap still do not meet
+// Of the diameter. Beads stand about 0.4 d apart: two yarns whose beads come much nearer than half of that diagonal
+// could pass between them unseen.
 constexpr double least_gap = 0.3;
 // A point pulled by the largest residual and held only by the shift would move so many reaches.
 constexpr double reaches_when_free = 5;
-constexpr int most_inner = 60;          // conjugate-gradient steps
+constexpr int most_inner = 60;  // conjugate-gradient steps
 
 double furthest(const Eigen::VectorXd& x) {
   return std::sqrt(x.reshaped(3, x.size() / 3).colwise().squaredNorm().maxCoeff());
@@ -30,9 +30,7 @@ Equilibrium::Equilibrium(World& world)
   for (const Material& material : world.fabric().materials) thickness_ = std::min(thickness_, material.diameter);
 }
 
-double Equilibrium::safe_move() const {
-  return thickness_ * std::min(furthest_move, share_of_gap * world_.closest());
-}
+double Equilibrium::safe_move() const { return thickness_ * std::min(furthest_move, share_of_gap * world_.closest()); }
 
 void Equilibrium::release(Points& force) const {
   if (world_.constraints().empty()) return;
@@ -86,7 +84,8 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) const {
       double low = 0, high = 1;
       const double unit = reach_ / std::max(furthest(along), 1e-300);
       while (furthest(move + high * unit * along) < reach_) high *= 2;
-      for (int i = 0; i < 40; ++i) (furthest(move + (low + high) / 2 * unit * along) < reach_ ? low : high) = (low + high) / 2;
+      for (int i = 0; i < 40; ++i)
+        (furthest(move + (low + high) / 2 * unit * along) < reach_ ? low : high) = (low + high) / 2;
       alpha = low * unit;
       step.limited = true;
     }
@@ -132,7 +131,8 @@ Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int itera
     const double length = furthest(step.move);
     // Below the rounding of the energy only the force can tell.
     const bool drowned = step.promised < 1e-12 * std::abs(energy);
-    const bool good = apart && std::isfinite(trial_energy) && (drowned ? furthest(trial_force.reshaped()) < residual_ : gain > 1e-3);
+    const bool good =
+        apart && std::isfinite(trial_energy) && (drowned ? furthest(trial_force.reshaped()) < residual_ : gain > 1e-3);
     if (good) {
       state = std::move(trial);
       force = std::move(trial_force);

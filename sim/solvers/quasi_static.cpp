@@ -68,7 +68,8 @@ class QuasiStaticSolver final : public Solver {
 
   Progress fail() {
     effort_.failure = fmt::format(
-        "no equilibrium was found at load parameter {:.6g}: the largest residual force is {:.3g} N, {:.3g} N was asked for",
+        "no equilibrium was found at load parameter {:.6g}: the largest residual force is {:.3g} N, {:.3g} N was asked "
+        "for",
         state_.t, equilibrium_.residual(), tolerance_);
     return Progress::failed;
   }

@@ -14,7 +14,6 @@
 #include "studio/cli/input.hpp"
 #include "studio/cli/report.hpp"
 
-
 namespace wale {
 namespace {
 

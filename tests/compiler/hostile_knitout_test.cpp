@@ -73,7 +73,8 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"CarriageReturnsAlone", [] { return head + repeated("knit + f0 1\r", 100'000); }, codes::operand_extra},
         Hostile{"ByteOrderMark", [] { return "\xEF\xBB\xBF" + head; }, codes::not_plain_text},
         // Found by the fuzzer: written into a header this name would be two carriers of one rail.
-        Hostile{"CommaInAName", [] { return std::string(";!knitout-2\nin 1,\nknit + f0 1,\nout 1,\n"); }, codes::carriers_header},
+        Hostile{"CommaInAName", [] { return std::string(";!knitout-2\nin 1,\nknit + f0 1,\nout 1,\n"); },
+                codes::carriers_header},
         Hostile{"ManyCarriers", [] { return ";!knitout-2\n;;Carriers: " + repeated("ab ", 1'000'000) + "\n"; },
                 codes::carriers_header},
         Hostile{"ManyHeaders", [] { return ";!knitout-2\n" + numbered(";;q#: 1", 100'000); }, codes::unknown_header},

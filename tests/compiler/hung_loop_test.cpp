@@ -18,7 +18,8 @@ Bearing upright(double x, LoopSigns signs) {
 
 HungLoop row(int bits) {
   const auto sign = [bits](int bit) { return bits >> bit & 1 ? 1 : -1; };
-  return {upright(0, {sign(0), sign(1)}), upright(-size.wale(), {sign(2), sign(3)}), upright(size.wale(), {sign(4), sign(5)})};
+  return {upright(0, {sign(0), sign(1)}), upright(-size.wale(), {sign(2), sign(3)}),
+          upright(size.wale(), {sign(4), sign(5)})};
 }
 
 TEST(HungLoop, IsTheLoopOfARowWhereAnchorsStandAsInOne) {
@@ -47,7 +48,8 @@ HungLoop carried_off() {
 TEST(HungLoop, HasTheSlopeThatItsPointsHave) {
   constexpr double h = 1e-5;
   for (double w = -1.98; w < 2; w += 0.07) {
-    const Vec3 difference = (hung_point(size, carried_off(), w + h).y - hung_point(size, carried_off(), w - h).y) / (2 * h);
+    const Vec3 difference =
+        (hung_point(size, carried_off(), w + h).y - hung_point(size, carried_off(), w - h).y) / (2 * h);
     EXPECT_LT((hung_point(size, carried_off(), w).dy - difference).norm(), 1e-9) << w;
   }
 }
@@ -66,7 +68,8 @@ TEST(HungLoop, StandsAsideInTheMiddleOfItsLegsOnly) {
   HungLoop loop{upright(0, {}), {}, {}}, aside = loop;
   aside.here.aside = 1e-3;
   EXPECT_NEAR((hung_point(size, aside, 1).y - hung_point(size, loop, 1).y).z(), 1e-3, 1e-15);
-  for (const double w : {-2.0, 0.0, 2.0}) EXPECT_LT((hung_point(size, aside, w).y - hung_point(size, loop, w).y).norm(), 1e-15);
+  for (const double w : {-2.0, 0.0, 2.0})
+    EXPECT_LT((hung_point(size, aside, w).y - hung_point(size, loop, w).y).norm(), 1e-15);
 }
 
 }  // namespace

@@ -116,8 +116,8 @@ TEST(KnitoutFabric, OfRibIsOneSheet) {
 TEST(KnitoutFabric, FloatsBehindLoopsOfTheFrontBedAndBeforeThoseOfTheBack) {
   for (const char bed : {'f', 'b'}) {
     const std::string miss = std::string("miss - ") + bed + "2 1\n";
-    const auto made = make("float.k", lines({row("knit", bed, 0, 4), row("knit", bed, 4, 3), miss, row("knit", bed, 1, 0),
-                                             row("knit", bed, 0, 4)}));
+    const auto made = make("float.k", lines({row("knit", bed, 0, 4), row("knit", bed, 4, 3), miss,
+                                             row("knit", bed, 1, 0), row("knit", bed, 0, 4)}));
     ASSERT_TRUE(made->fabric);
     const int passed = 2;  // the loop on needle 2, made in the first row, knitted in the third
     ASSERT_EQ(made->fabric->graph.loops[passed].needle.index, 2);
@@ -142,16 +142,18 @@ TEST(KnitoutFabric, OfACableHasTheLoopInFrontThatWasOnTheFrontBed) {
     EXPECT_EQ(of.loops[on_one].passes, left_first ? 1 : -1);
     EXPECT_EQ(of.loops[on_two].passes, left_first ? -1 : 1);
     const Vec3 crossing = (feet(*made, on_one).at + head_of(*made, on_one).at) / 2;
-    const double front = depth_at(points_of(made->fabric->fabric, left_first ? on_one : on_two), crossing.x(), crossing.y());
-    const double behind = depth_at(points_of(made->fabric->fabric, left_first ? on_two : on_one), crossing.x(), crossing.y());
+    const double front =
+        depth_at(points_of(made->fabric->fabric, left_first ? on_one : on_two), crossing.x(), crossing.y());
+    const double behind =
+        depth_at(points_of(made->fabric->fabric, left_first ? on_two : on_one), crossing.x(), crossing.y());
     EXPECT_GT(front - behind, d);
   }
 }
 
 TEST(KnitoutFabric, OfShortRowsIsHigherWhereMoreWereKnit) {
-  const auto made = make("dart.k", lines({row("knit", 'f', 0, 7), row("knit", 'f', 7, 0), row("knit", 'f', 0, 3),
-                                          row("knit", 'f', 3, 0), row("knit", 'f', 0, 3), row("knit", 'f', 3, 0),
-                                          row("knit", 'f', 0, 7)}));
+  const auto made = make(
+      "dart.k", lines({row("knit", 'f', 0, 7), row("knit", 'f', 7, 0), row("knit", 'f', 0, 3), row("knit", 'f', 3, 0),
+                       row("knit", 'f', 0, 3), row("knit", 'f', 3, 0), row("knit", 'f', 0, 7)}));
   ASSERT_TRUE(made->fabric);
   const int last = static_cast<int>(made->fabric->graph.loops.size()) - 1;
   EXPECT_GT(feet(*made, last - 7).at.y(), feet(*made, last).at.y() + 4 * d);
@@ -186,7 +188,8 @@ TEST(KnitoutFabric, IsRefusedWhereACrossingIsWrong) {
 double closest(const Fabric& fabric) {
   std::vector<std::pair<int, Vec3>> points;
   for (int i = 0; i < fabric.segment_count(); ++i)
-    for (int k = 0; k < 4; ++k) points.push_back({i, combine(fabric.points, fabric.first_point(i), basis(k / 4.0).value)});
+    for (int k = 0; k < 4; ++k)
+      points.push_back({i, combine(fabric.points, fabric.first_point(i), basis(k / 4.0).value)});
   double least = 1;
   for (std::size_t a = 0; a < points.size(); ++a)
     for (std::size_t b = a + 1; b < points.size(); ++b) {

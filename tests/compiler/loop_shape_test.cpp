@@ -27,8 +27,8 @@ std::vector<Row> all_rows() {
 
 Vec3 point(const Row& row, double w) { return loop_point(loose_loops(d, 1), row.left, row.here, row.right, w).y; }
 
-/// The parameters, on the right side, at which a loop crosses those above and below: head, upper leg, lower leg, sinker.
-/// Both legs' crossings follow from the loop's drawing alone: x(w) = x(v), y(w) = y(v) + pitch.
+/// The parameters, on the right side, at which a loop crosses those above and below: head, upper leg, lower leg,
+/// sinker. Both legs' crossings follow from the loop's drawing alone: x(w) = x(v), y(w) = y(v) + pitch.
 std::array<double, 4> crossings() {
   const LoopSize size = loose_loops(d, 1);
   const auto x = [](double w) { return w + std::sin(pi * w); };

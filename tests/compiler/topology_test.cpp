@@ -23,7 +23,7 @@ CompiledChart compiled(const Chart& chart, int segments) {
 struct Meeting {
   double here = 0, there = 0;  ///< along the yarn, segments
   int partner = -1;
-  int above = 0;               ///< +1: this loop is nearer to the viewer
+  int above = 0;  ///< +1: this loop is nearer to the viewer
 };
 
 /// The drawing, read by loops.
@@ -73,8 +73,8 @@ class Reading {
   int among_edges_ = 0;
 };
 
-/// Along the child: sinker, leg, leg, sinker. The leg passes the parent's head, the sinker the parent's upper leg on the
-/// same side; both with the sign of the child: leg over head and upper leg over sinker for +1.
+/// Along the child: sinker, leg, leg, sinker. The leg passes the parent's head, the sinker the parent's upper leg on
+/// the same side; both with the sign of the child: leg over head and upper leg over sinker for +1.
 void expect_pulled_through(Reading& reading, const PlacedLoop& child, const PlacedLoop& parent, bool same_way) {
   const std::vector<Meeting> met = reading.between(child.loop, parent.loop);
   ASSERT_EQ(met.size(), 4U);
@@ -127,8 +127,7 @@ void expect_demanded_crossings(const CompiledChart& made) {
       const PlacedLoop* below = course > 0 ? &rows[course - 1][wale] : nullptr;
       const PlacedLoop* above = course + 1 < rows.size() ? &rows[course + 1][wale] : nullptr;
       expect_in_order(reading, loop, below ? below->loop : -1, above ? above->loop : -1);
-      if (below)
-        expect_pulled_through(reading, loop, *below, layout.from_left[course] == layout.from_left[course - 1]);
+      if (below) expect_pulled_through(reading, loop, *below, layout.from_left[course] == layout.from_left[course - 1]);
       EXPECT_TRUE(!below || !above || reading.between(loop.loop, -1).empty());
     }
   expect_cast_on(reading, layout);

@@ -96,7 +96,8 @@ solver: {quasi_static: {tolerance: 0.02, first_step: 5 %}}
   ASSERT_EQ(mended.size(), whole.size());
   const double strongest = whole.back()[2];  // N
   ASSERT_GT(strongest, 1e-3);
-  for (std::size_t row = 0; row < whole.size(); ++row) EXPECT_NEAR(mended[row][2], whole[row][2], 2e-3 * strongest) << row;
+  for (std::size_t row = 0; row < whole.size(); ++row)
+    EXPECT_NEAR(mended[row][2], whole[row][2], 2e-3 * strongest) << row;
 }
 
 TEST_F(Run, RefusesAFolderThatCannotBeWrittenBeforeItComputes) {

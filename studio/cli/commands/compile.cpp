@@ -49,7 +49,8 @@ std::string show(const CompiledKnitout& compiled, const std::string& noun) {
 
 /// What a compiled file is asked for; its exit code.
 template <class C>
-int answer(const std::optional<C>& compiled, const CompileOptions& options, const Source& source, const Diagnostics& say) {
+int answer(const std::optional<C>& compiled, const CompileOptions& options, const Source& source,
+           const Diagnostics& say) {
   print_all(say);
   if (!compiled) return bad_input;
   if (!options.show.empty()) fmt::print("{}", show(*compiled, options.show));
@@ -128,7 +129,8 @@ int compile(const CompileOptions& options) {
 void add_compile(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<CompileOptions>();
   KnitoutWords& words = options->knitout;
-  CLI::App* command = app.add_subcommand("compile", "Turns a chart or a knitout file into yarns, or a chart into knitout");
+  CLI::App* command =
+      app.add_subcommand("compile", "Turns a chart or a knitout file into yarns, or a chart into knitout");
   command->add_option("FILE", options->file, "A chart or a knitout file")->required();
   command->add_option("-o,--out", options->out, "Where to: .h5 (exact), .vtp, .obj, .bcc, .svg, or .k (knitout)");
   command->add_option("--show", options->show, "Print what stands between")
