@@ -41,10 +41,11 @@ Curve3 hung_point(const LoopSize& size, const HungLoop& loop, double w) {
   const Curve3 flat = loop_point(size, signs(loop.left), loop.here.signs, signs(loop.right), w);
   const Curve3 own = stretched(size, loop.here, flat);
   // In the middle of a sinker both neighbours have an equal say.
-  if (w > 0 && loop.right)
-    return mix(own, stretched(size, *loop.right, seen_from(size.wale(), flat)), share_of_right(w - 2), 1);
-  if (w < 0 && loop.left)
-    return mix(stretched(size, *loop.left, seen_from(-size.wale(), flat)), own, share_of_right(w + 2), 1);
+  const Smooth share = share_of_right(w > 0 ? w - 2 : w + 2);
+  if (w > 0 && loop.right && share.value > 0)
+    return mix(own, stretched(size, *loop.right, seen_from(size.wale(), flat)), share, 1);
+  if (w < 0 && loop.left && share.value < 1)
+    return mix(stretched(size, *loop.left, seen_from(-size.wale(), flat)), own, share, 1);
   return own;
 }
 

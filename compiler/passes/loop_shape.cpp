@@ -29,8 +29,9 @@ Smooth mix(const Smooth& a, const Smooth& b, const Smooth& share) {
 }
 
 Smooth loop_depth(const LoopSigns& left, const LoopSigns& here, const LoopSigns& right, double w) {
-  if (w > 0) return mix(own_depth(here, w), own_depth(right, w - 4), share_of_right(w - 2));
-  return mix(own_depth(left, w + 4), own_depth(here, w), share_of_right(w + 2));
+  const Smooth share = share_of_right(w > 0 ? w - 2 : w + 2);
+  if (w > 0) return share.value == 0 ? own_depth(here, w) : mix(own_depth(here, w), own_depth(right, w - 4), share);
+  return share.value == 1 ? own_depth(here, w) : mix(own_depth(left, w + 4), own_depth(here, w), share);
 }
 
 double jersey_length(const LoopSize& size) {
