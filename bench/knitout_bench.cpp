@@ -1,4 +1,4 @@
-/// A machine's file of a million operations, from text to a checked stitch graph.
+/// A machine's file, from text to a checked stitch graph, and on to yarns.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -40,6 +40,22 @@ void knit_knitout_text(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 BENCHMARK(knit_knitout_text)->Arg(10'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
+
+/// The same to fitted yarns, every crossing proved; stitches of transfers and tosses alike, 12 segments each.
+void draw_knitout_text(benchmark::State& state) {
+  const Source source{"bench.k", random_fabric(static_cast<int>(state.range(0)))};
+  std::size_t stitches = 0;
+  for (auto _ : state) {
+    Diagnostics say;
+    KnitoutOptions options;
+    options.stitch_lengths.otherwise = 7.6e-3;
+    const auto compiled = compile_knitout(source, options, {}, 12, say);
+    if (!compiled) return state.SkipWithError("the fabric cannot be placed");
+    stitches = compiled->graph.loops.size();
+  }
+  state.counters["stitches"] = static_cast<double>(stitches);
+}
+BENCHMARK(draw_knitout_text)->Arg(12'000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace wale
