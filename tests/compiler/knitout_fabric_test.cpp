@@ -6,9 +6,11 @@
 #include <set>
 
 #include "compiler/compile.hpp"
+#include "compiler/demand.hpp"
 #include "sim/clasps.hpp"
 #include "sim/spline.hpp"
 #include "tests/support/shared_files.hpp"
+#include "tests/support/structures.hpp"
 #include "tests/support/table.hpp"
 
 namespace wale {
@@ -198,6 +200,24 @@ double closest(const Fabric& fabric) {
       if (!beside) least = std::min(least, (points[a].second - points[b].second).norm());
     }
   return least;
+}
+
+/// The way of machine files draws what charts ask for just as well, without their edges.
+TEST(KnitoutFabric, IsAlsoThatOfEveryChart) {
+  for (const auto& [name, chart] : all_structures()) {
+    SCOPED_TRACE(name);
+    Diagnostics say;
+    const auto program = passes::lower_chart(chart, say);
+    ASSERT_TRUE(program);
+    const auto graph = passes::knit(*program, say);
+    ASSERT_TRUE(graph);
+    const LoopSize size = large_enough(d, 7.6e-3);
+    const Arrangement arrangement = passes::arrange(*graph, size, d);
+    const Fabric fabric = passes::fit(passes::draw(*graph, arrangement, size, d),
+                                      std::vector<Material>(program->carriers.size()), 12);
+    passes::prove(*graph, fabric, demanded_crossings(*graph, fabric), say);
+    EXPECT_FALSE(say.failed());
+  }
 }
 
 class KnitoutExample : public testing::TestWithParam<std::string> {};
