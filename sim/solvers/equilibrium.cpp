@@ -20,6 +20,17 @@ double furthest(const Eigen::VectorXd& x) {
   return std::sqrt(x.reshaped(3, x.size() / 3).colwise().squaredNorm().maxCoeff());
 }
 
+/// How many times `along` leads from `move` to the edge of the trust region, where no point moves further than `reach`.
+double steps_to_edge(const Eigen::VectorXd& move, const Eigen::VectorXd& along, double reach) {
+  double low = 0, high = reach / std::max(furthest(along), 1e-300);
+  while (furthest(move + high * along) < reach) high *= 2;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (low + high) / 2;
+    (furthest(move + middle * along) < reach ? low : high) = middle;
+  }
+  return low;
+}
+
 }  // namespace
 
 Equilibrium::Equilibrium(World& world)
@@ -80,13 +91,7 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) const {
     const double curvature = along.dot(stiff);
     double alpha = curvature > 0 ? rz / curvature : std::numeric_limits<double>::infinity();
     if (curvature <= 0 || furthest(move + alpha * along) > reach_) {
-      // To the edge of the trust region along this direction, downhill all the way.
-      double low = 0, high = 1;
-      const double unit = reach_ / std::max(furthest(along), 1e-300);
-      while (furthest(move + high * unit * along) < reach_) high *= 2;
-      for (int i = 0; i < 40; ++i)
-        (furthest(move + (low + high) / 2 * unit * along) < reach_ ? low : high) = (low + high) / 2;
-      alpha = low * unit;
+      alpha = steps_to_edge(move, along, reach_);
       step.limited = true;
     }
     move += alpha * along;
