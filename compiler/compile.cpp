@@ -4,6 +4,7 @@
 
 #include "compiler/demand.hpp"
 #include "compiler/front/scene.hpp"
+#include "compiler/jamming.hpp"
 #include "compiler/passes/program_codes.hpp"
 
 namespace wale {
@@ -73,7 +74,13 @@ std::optional<CompiledKnitout> compile_knitout(const Source& source, const Knito
   auto [program, graph] = knit_knitout(source, options, say);
   if (say.error_count() > errors) return std::nullopt;
   double longest = 0;
-  for (const Loop& loop : graph.loops) longest = std::max(longest, loop.stitch_length);
+  const Loop* shortest = nullptr;
+  for (const Loop& loop : graph.loops) {
+    longest = std::max(longest, loop.stitch_length);
+    if (!shortest || loop.stitch_length < shortest->stitch_length) shortest = &loop;
+  }
+  if (shortest && jams(shortest->stitch_length, yarn))
+    warn_of_jamming(shortest->stitch_length, yarn, yarn.name, shortest->span, say);
   const double diameter = yarn.diameter;
   const LoopSize size = large_enough(diameter, longest);
   Arrangement arrangement = passes::arrange(graph, size, diameter);

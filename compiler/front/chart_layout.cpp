@@ -6,6 +6,7 @@
 
 #include "compiler/front/chart_parts.hpp"
 #include "compiler/front/limits.hpp"
+#include "compiler/jamming.hpp"
 
 namespace wale {
 namespace {
@@ -172,16 +173,10 @@ class Layouter {
 
   void warn_if_jammed(int yarn, const GivenLength& length) {
     const ChartYarn& of = yarns_.yarns[static_cast<std::size_t>(yarn)];
-    const double ratio = length.value / of.material.diameter;
-    if (ratio >= limits::jamming_ratio || !jammed_.insert({yarn, length.value}).second) return;
+    if (!jams(length.value, of.material) || !jammed_.insert({yarn, length.value}).second) return;
     const Span place =
         length.span.begin == length.span.end ? yarns_.spans[static_cast<std::size_t>(yarn)] : length.span;
-    say_.warning(
-        "C020", place,
-        fmt::format("yarn \"{}\" is too thick for its stitches: stitch length / contact diameter = {:.2f}", of.name,
-                    ratio),
-        fmt::format("a jersey of hard tubes jams at l/d = {}; lengthen the stitch to {:.2f} mm, or take a thinner yarn",
-                    limits::jamming_ratio, limits::jamming_ratio * of.material.diameter * 1e3));
+    warn_of_jamming(length.value, of.material, of.name, place, say_);
   }
 
   const ChartHead& head_;

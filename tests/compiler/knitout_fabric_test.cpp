@@ -202,6 +202,15 @@ double closest(const Fabric& fabric) {
   return least;
 }
 
+TEST(KnitoutFabric, IsWarnedOfAYarnTooThickForItsStitches) {
+  const Source source{"tight.k", lines({row("knit", 'f', 0, 3), row("knit", 'f', 3, 0)})};
+  KnitoutOptions options;
+  options.stitch_lengths.otherwise = 5e-3;
+  Diagnostics say;
+  EXPECT_TRUE(compile_knitout(source, options, {}, 12, say));
+  EXPECT_TRUE(say.counts().count("C020"));
+}
+
 /// The way of machine files draws what charts ask for just as well, without their edges.
 TEST(KnitoutFabric, IsAlsoThatOfEveryChart) {
   for (const auto& [name, chart] : all_structures()) {
