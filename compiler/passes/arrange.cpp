@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "compiler/passes.hpp"
 #include "compiler/passes/crossing_loops.hpp"
+#include "compiler/passes/hang.hpp"
+#include "compiler/passes/levels.hpp"
 #include "compiler/passes/springs.hpp"
 #include "compiler/passes/surroundings.hpp"
 
@@ -16,64 +15,9 @@ constexpr double sheet_distance = 2.2;  // of the two faces of a tube from its m
 constexpr double sheet_pull = 0.15;     // of each bed to its own side, where one stitch pulls the next with 1
 constexpr double back_to_back = 5;      // where loops of both beds share a place
 constexpr double spacer_pull = 0.02;    // of yarn that goes to and fro between two sheets
-constexpr double over_itself = 0.4;     // courses by which a cast-on that comes back lies above its way there
-constexpr double most_over_itself = 0.6;
 constexpr double split_distance = 2.4;  // diameters between two loops that were pulled through one to opposite sides
 constexpr double least_rise = 0.2;      // courses from a loop's feet to its head
 constexpr double faint = 1e-3;          // what places loops that nothing else does
-
-/// Which heads hang where, from the graph alone.
-class Hangings {
- public:
-  explicit Hangings(const StitchGraph& graph) : graph_(graph) { of_.loops.resize(graph.loops.size()); }
-
-  Arrangement hang() {
-    for (int i = 0; i < static_cast<int>(graph_.loops.size()); ++i) put_feet(i);
-    for (const HeldLoops& held : graph_.on_needles) put_heads(held.loops);
-    for (int i = 0; i < static_cast<int>(graph_.loops.size()); ++i)
-      if (at(i).head < 0) put_heads({i});
-    return std::move(of_);
-  }
-
- private:
-  const Loop& loop(int i) const { return graph_.loops[static_cast<std::size_t>(i)]; }
-  Hanging& at(int i) { return of_.loops[static_cast<std::size_t>(i)]; }
-
-  int new_anchor() {
-    of_.anchors.emplace_back();
-    return static_cast<int>(of_.anchors.size()) - 1;
-  }
-
-  /// Loops that one instruction makes of several yarns lie together.
-  void put_feet(int i) {
-    const bool plated = i > 0 && loop(i).instruction >= 0 && loop(i - 1).instruction == loop(i).instruction;
-    Hanging& own = at(i);
-    own.sign = on_back(loop(i).needle) ? -1 : 1;
-    own.heading = loop(i).direction == Direction::decreasing ? -1 : 1;
-    own.feet = plated ? at(i - 1).feet : new_anchor();
-    Anchor& anchor = of_.anchors[static_cast<std::size_t>(own.feet)];
-    anchor.feet.push_back(i);
-    if (plated) return;
-    anchor.heads = loop(i).through;
-    for (const int parent : loop(i).through) {
-      at(parent).via = at(parent).head;
-      at(parent).head = own.feet;
-    }
-  }
-
-  void put_heads(const std::vector<int>& loops) {
-    std::vector<int> free;
-    for (const int i : loops)
-      if (at(i).head < 0) free.push_back(i);
-    if (free.empty()) return;
-    const int anchor = new_anchor();
-    for (const int i : free) at(i).head = anchor;
-    of_.anchors[static_cast<std::size_t>(anchor)].heads = std::move(free);
-  }
-
-  const StitchGraph& graph_;
-  Arrangement of_;
-};
 
 double needles_between(const StitchGraph& graph, const YarnStep& step) {
   const Loop &from = graph.loops[static_cast<std::size_t>(step.from)],
@@ -101,68 +45,6 @@ void leave_room(const StitchGraph& graph, std::vector<YarnStep>& steps) {
     step.apart = std::max(step.apart, static_cast<int>(std::lround(per_needle * needles_between(graph, step))));
 }
 
-/// Loops through which the same yarn is pulled again before it turns, as in a bind-off.
-std::vector<bool> chained_loops(const StitchGraph& graph) {
-  constexpr std::size_t soon = 3;  // loops, since a bind-off may tuck on the other bed on its way
-  std::vector<bool> chained(graph.loops.size(), false);
-  for (const YarnPath& yarn : graph.yarns)
-    for (std::size_t k = 1; k < yarn.loops.size(); ++k) {
-      const Loop& child = graph.loops[static_cast<std::size_t>(yarn.loops[k])];
-      for (std::size_t back = 1; back <= std::min(soon, k); ++back) {
-        const int before = yarn.loops[k - back];
-        if (graph.loops[static_cast<std::size_t>(before)].direction != child.direction) break;
-        if (std::find(child.through.begin(), child.through.end(), before) != child.through.end())
-          chained[static_cast<std::size_t>(before)] = true;
-      }
-    }
-  return chained;
-}
-
-/// How high above the first course each loop's feet lie, in courses.
-class Levels {
- public:
-  Levels(const StitchGraph& graph, const Arrangement& arrangement, const std::vector<bool>& chained)
-      : graph_(graph), arrangement_(arrangement), chained_(chained), of_(graph.loops.size(), 0) {}
-
-  /// As courses_of(), but a chain along an edge stays in one course, a tuck lies one above the loops that it hangs
-  /// with, and a cast-on that goes back over itself lies a little higher each time.
-  std::vector<double> find() {
-    const std::vector<int> before = loops_before(graph_);
-    for (int i = 0; i < static_cast<int>(of_.size()); ++i)
-      level(i) = loop(i).through.empty() ? beside(i, before[static_cast<std::size_t>(i)]) : above(i);
-    return of_;
-  }
-
- private:
-  const Loop& loop(int i) const { return graph_.loops[static_cast<std::size_t>(i)]; }
-  double& level(int i) { return of_[static_cast<std::size_t>(i)]; }
-
-  double above(int i) {
-    double highest = 0;
-    for (const int parent : loop(i).through)
-      highest = std::max(highest, std::floor(level(parent)) + (chained_[static_cast<std::size_t>(parent)] ? 0 : 1));
-    return highest;
-  }
-
-  double beside(int i, int before) {
-    const double along = before >= 0 ? std::floor(level(before)) : 0;
-    const Hanging& own = arrangement_.loops[static_cast<std::size_t>(i)];
-    double highest = along;
-    for (const int with : arrangement_.anchors[static_cast<std::size_t>(own.head)].heads)
-      if (with < i && !loop(with).through.empty()) highest = std::max(highest, std::floor(level(with)) + 1);
-    // A yarn that tucks on its way there and back again.
-    auto& passes = passes_[{loop(i).carrier, own.sign, static_cast<int>(along)}];
-    passes.insert(loop(i).course);
-    return highest + std::min(most_over_itself, over_itself * static_cast<double>(passes.size() - 1));
-  }
-
-  const StitchGraph& graph_;
-  const Arrangement& arrangement_;
-  const std::vector<bool>& chained_;
-  std::vector<double> of_;
-  std::map<std::array<int, 3>, std::set<int>> passes_;  // by carrier, bed and course
-};
-
 /// Finds where everything lies: stitches pull their neighbours to the distances of a loose fabric.
 class Arranging {
  public:
@@ -174,7 +56,7 @@ class Arranging {
         across_(across),
         of_(of),
         chained_(chained_loops(graph)),
-        levels_(Levels(graph, of, chained_).find()),
+        levels_(levels_of(graph, of, chained_)),
         columns_per_needle_(columns_per_needle(graph, of.steps)) {}
 
   void solve() {
@@ -306,7 +188,7 @@ class Arranging {
 }  // namespace
 
 Arrangement arrange(const StitchGraph& graph, const LoopSize& size, double diameter) {
-  Arrangement arrangement = Hangings(graph).hang();
+  Arrangement arrangement = hang(graph);
   const Surroundings around = surroundings(graph);
   arrangement.steps = around.steps;
   leave_room(graph, arrangement.steps);

@@ -57,7 +57,8 @@ inline constexpr auto program_codes = std::to_array<ProgramCode>({
     {too_many_yarns, Severity::error, "a chart has more yarns than the machine has carriers",
      "wale compile chart.yaml -o chart.k --machine swg   # ten carriers; a Kniterate has six"},
     {not_placeable, Severity::error,
-     "a stitch is not pulled through the one loop below it, or a cell has no stitch: it cannot be drawn yet",
+     "a loop cannot be drawn yet so that it is pulled through the loops that it should be, or a chart's cell has no "
+     "stitch",
      "knit + f0 a\nknit - f0 a ; each loop through the one below"},
     {carrier_not_in, Severity::error, "a carrier knits, or goes out, while it is out", "in a\nknit + f0 a"},
     {carrier_already_in, Severity::error, "a carrier is brought in while it is in", "in a\nknit + f0 a\nout a\nin a"},

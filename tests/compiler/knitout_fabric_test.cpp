@@ -222,8 +222,8 @@ TEST(KnitoutFabric, IsAlsoThatOfEveryChart) {
     ASSERT_TRUE(graph);
     const LoopSize size = large_enough(d, 7.6e-3);
     const Arrangement arrangement = passes::arrange(*graph, size, d);
-    const Fabric fabric = passes::fit(passes::draw(*graph, arrangement, size, d),
-                                      std::vector<Material>(program->carriers.size()), 12);
+    const Fabric fabric =
+        passes::fit(passes::draw(*graph, arrangement, size, d), std::vector<Material>(program->carriers.size()), 12);
     passes::prove(*graph, fabric, demanded_crossings(*graph, fabric), say);
     EXPECT_FALSE(say.failed());
   }

@@ -1,0 +1,79 @@
+#include "compiler/passes/levels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace wale {
+namespace {
+
+constexpr double most_over_itself = 0.6;
+
+class Levels {
+ public:
+  Levels(const StitchGraph& graph, const Arrangement& arrangement, const std::vector<bool>& chained)
+      : graph_(graph), arrangement_(arrangement), chained_(chained), of_(graph.loops.size(), 0) {}
+
+  std::vector<double> find() {
+    const std::vector<int> before = loops_before(graph_);
+    for (int i = 0; i < static_cast<int>(of_.size()); ++i)
+      level(i) = loop(i).through.empty() ? beside(i, before[static_cast<std::size_t>(i)]) : above(i);
+    return of_;
+  }
+
+ private:
+  const Loop& loop(int i) const { return graph_.loops[static_cast<std::size_t>(i)]; }
+  double& level(int i) { return of_[static_cast<std::size_t>(i)]; }
+
+  double above(int i) {
+    double highest = 0;
+    for (const int parent : loop(i).through)
+      highest = std::max(highest, std::floor(level(parent)) + (chained_[static_cast<std::size_t>(parent)] ? 0 : 1));
+    return highest;
+  }
+
+  double beside(int i, int before) {
+    const double along = before >= 0 ? std::floor(level(before)) : 0;
+    const Hanging& own = arrangement_.loops[static_cast<std::size_t>(i)];
+    double highest = along;
+    for (const int with : arrangement_.anchors[static_cast<std::size_t>(own.head)].heads)
+      if (with < i && !loop(with).through.empty()) highest = std::max(highest, std::floor(level(with)) + 1);
+    // A yarn that tucks on its way there and back again.
+    auto& passes = passes_[{loop(i).carrier, own.sign, static_cast<int>(along)}];
+    passes.insert(loop(i).course);
+    return highest + std::min(most_over_itself, over_itself * static_cast<double>(passes.size() - 1));
+  }
+
+  const StitchGraph& graph_;
+  const Arrangement& arrangement_;
+  const std::vector<bool>& chained_;
+  std::vector<double> of_;
+  std::map<std::array<int, 3>, std::set<int>> passes_;  // by carrier, bed and course
+};
+
+}  // namespace
+
+std::vector<bool> chained_loops(const StitchGraph& graph) {
+  constexpr std::size_t soon = 3;  // loops, since a bind-off may tuck on the other bed on its way
+  std::vector<bool> chained(graph.loops.size(), false);
+  for (const YarnPath& yarn : graph.yarns)
+    for (std::size_t k = 1; k < yarn.loops.size(); ++k) {
+      const Loop& child = graph.loops[static_cast<std::size_t>(yarn.loops[k])];
+      for (std::size_t back = 1; back <= std::min(soon, k); ++back) {
+        const int before = yarn.loops[k - back];
+        if (graph.loops[static_cast<std::size_t>(before)].direction != child.direction) break;
+        if (std::find(child.through.begin(), child.through.end(), before) != child.through.end())
+          chained[static_cast<std::size_t>(before)] = true;
+      }
+    }
+  return chained;
+}
+
+std::vector<double> levels_of(const StitchGraph& graph, const Arrangement& arrangement,
+                              const std::vector<bool>& chained) {
+  return Levels(graph, arrangement, chained).find();
+}
+
+}  // namespace wale

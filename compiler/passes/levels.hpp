@@ -1,0 +1,21 @@
+/// In which course each loop of a graph is drawn.
+#pragma once
+
+#include <vector>
+
+#include "compiler/arrangement.hpp"
+
+namespace wale {
+
+/// Courses by which yarn that comes back over what it laid before lies higher.
+inline constexpr double over_itself = 0.4;
+
+/// Loops through which the same yarn is pulled again before it turns, as in a bind-off.
+std::vector<bool> chained_loops(const StitchGraph&);
+
+/// How high above the first course each loop's feet lie, in courses. As courses_of(), but a chain along an edge stays
+/// in one course, a tuck lies one above the loops that it hangs with, and a cast-on that goes back over itself lies a
+/// little higher each time. The arrangement need not have places yet.
+std::vector<double> levels_of(const StitchGraph&, const Arrangement&, const std::vector<bool>& chained);
+
+}  // namespace wale
