@@ -37,6 +37,10 @@ std::optional<CompiledChart> compile_chart(Chart chart, int segments_per_stitch,
   return CompiledChart{std::move(compiled), std::move(chart), std::move(*layout)};
 }
 
+bool holds_knitout(const Source& source) {
+  return source.name.ends_with(".k") || source.name.ends_with(".knitout") || source.text.starts_with(";!knitout");
+}
+
 Knitted knit_knitout(const Source& source, const KnitoutOptions& options, Diagnostics& say) {
   const std::size_t errors = say.error_count();
   Program program = passes::parse_knitout(source, say);
@@ -97,11 +101,6 @@ std::optional<CompiledKnitout> compile_knitout(const Source& source, const Knito
 
 namespace {
 
-/// By suffix or by its first line.
-bool is_knitout(const Source& source) {
-  return source.name.ends_with(".k") || source.name.ends_with(".knitout") || source.text.starts_with(";!knitout");
-}
-
 template <class C>
 std::optional<Compiled> common(std::optional<C> compiled) {
   if (!compiled) return std::nullopt;
@@ -115,7 +114,7 @@ KnitoutOptions knitout_options(const ParsedScene& scene) {
 }
 
 std::optional<Compiled> compile_pattern(const Source& source, const ParsedScene& scene, Diagnostics& say) {
-  if (is_knitout(source))
+  if (holds_knitout(source))
     return common(compile_knitout(source, knitout_options(scene), scene.overrides.material.value_or(Material{}),
                                   scene.segments_per_stitch, say));
   return common(compile_chart(source, scene.overrides, scene.segments_per_stitch, say));

@@ -31,6 +31,9 @@ struct CompiledKnitout : Compiled {
 std::optional<CompiledChart> compile_chart(const Source&, const ChartOverrides&, int segments_per_stitch, Diagnostics&);
 std::optional<CompiledChart> compile_chart(Chart, int segments_per_stitch, Diagnostics&);
 
+/// Whether a text is a machine's program, by its suffix or its first line.
+bool holds_knitout(const Source&);
+
 /// What a knitout file makes.
 struct Knitted {
   Program program;

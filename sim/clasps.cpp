@@ -58,11 +58,11 @@ bool Clasps::within_yarn(const Crossing& of, const Place& at) const {
          on_one_yarn(of.loop_first + at.loop, of.loop_last + at.loop);
 }
 
-/// Along both yarns while the count rises. The next clasp, a whole loop away, is out of reach, and of the opposite
-/// sense.
-Clasps::Place Clasps::climb(const Crossing& of, const Place& from, const Points& q) const {
+/// Along both yarns while the count rises; gives the count there. The next clasp, a whole loop away, is out of reach,
+/// and of the opposite sense.
+int Clasps::climb(const Crossing& of, Place& best, const Points& q) const {
   const int side_reach = reach(of.side_first, of.side_last), loop_reach = reach(of.loop_first, of.loop_last);
-  Place best = from;
+  const Place from = best;
   int most = count(of, best, q);
   const auto higher = [&](int by_side, int by_loop) {
     const Place next{best.side + by_side, best.loop + by_loop};
@@ -76,7 +76,7 @@ Clasps::Place Clasps::climb(const Crossing& of, const Place& from, const Points&
   };
   for (int step = 1; most < centred && step <= longest_look; ++step)
     if (higher(step, 0) || higher(-step, 0) || higher(0, step) || higher(0, -step)) step = 0;
-  return best;
+  return most;
 }
 
 bool crosses_twice(const Fabric& fabric, const Crossing& of, const Points& q, const Vec3& along) {
@@ -86,10 +86,7 @@ bool crosses_twice(const Fabric& fabric, const Crossing& of, const Points& q, co
 
 std::vector<bool> Clasps::follow(const Points& q) {
   std::vector<bool> held(crossings_.size());
-  for (std::size_t i = 0; i < crossings_.size(); ++i) {
-    places_[i] = climb(crossings_[i], places_[i], q);
-    held[i] = count(crossings_[i], places_[i], q) >= surely;
-  }
+  for (std::size_t i = 0; i < crossings_.size(); ++i) held[i] = climb(crossings_[i], places_[i], q) >= surely;
   return held;
 }
 

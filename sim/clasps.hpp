@@ -24,7 +24,7 @@ class Clasps {
   };
   int count(const Crossing&, const Place&, const Points& q) const;
   bool within_yarn(const Crossing&, const Place&) const;
-  Place climb(const Crossing&, const Place& from, const Points& q) const;
+  int climb(const Crossing&, Place&, const Points& q) const;
 
   const Fabric& fabric_;
   const std::vector<Crossing>& crossings_;

@@ -87,7 +87,7 @@ class Run {
     if (results_.snapshots.back().sample < 0) results_.snapshots.pop_back();
     for (int sample = samples_done(index) + 1; sample <= stage.samples; ++sample) {
       const StageSetup setup(results_.scene, stage, start, tightened_before(index), results_.relaxed,
-                             stage.mount ? travels_to(index) : std::vector<double>{0});
+                             travels_to(index));
       const auto begun = std::chrono::steady_clock::now();
       const Outcome outcome = until(index, setup, stage.duration * sample / stage.samples, state);
       spend(stage.name, begun);
@@ -102,6 +102,7 @@ class Run {
 
   /// How far apart the grips of a mount have stood at each sample so far, and where they go for the next one.
   std::vector<double> travels_to(int index) const {
+    if (!stage_at(index).mount) return {0};
     const StageSetup closed(results_.scene, stage_at(index), start_of(index), 0, results_.relaxed);
     const Table& table = results_.samples;
     std::vector<double> travels{0};

@@ -105,7 +105,7 @@ struct Stage {
   int samples = 10;               ///< snapshots at even intervals, the last one at the end
   std::optional<double> tighten;  ///< rest lengths go to this share of the way from `length` to `knitted`
   Hold hold = Hold::none;         ///< `ends`: cast-on and bind-off are held and shrink with the rest length
-  std::optional<Along> mount;     ///< the ends are held sideways and free along this direction, as when clamped
+  std::optional<Along> mount;     ///< grips close and move apart until they read no force; a sample a move
   std::optional<Pull> pull;
   double grip_stiffness = 1e6;      ///< k_t of the tethers of `hold` and `pull`, N/m²
   std::vector<EffectSpec> effects;  ///< what is not here is not simulated

@@ -48,10 +48,7 @@ void StageSetup::hold_ends() {
   const double shrink = (1 + to * (share - 1)) / (1 + from * (share - 1));
   const Vec3 centre = (q.rowwise().minCoeff() + q.rowwise().maxCoeff()) / 2;
   for (std::size_t end = 0; end < 2; ++end) {
-    Tether grip;
-    grip.label = grip_labels[end];
-    grip.segments = scene_.gauge.wale_ends[end];
-    grip.stiffness = stage_.grip_stiffness;
+    Tether grip = grip_on(Along::wale, end);
     grip.centre = centre;
     grip.scale = {shrink, shrink, 1};
     grip.progress = Schedule::ramp(0, 1, stage_.duration);
@@ -63,6 +60,14 @@ const std::array<std::vector<int>, 2>& StageSetup::ends(Along along) const {
   return along == Along::wale ? scene_.gauge.wale_ends : scene_.gauge.course_ends;
 }
 
+Tether StageSetup::grip_on(Along along, std::size_t end) const {
+  Tether grip;
+  grip.label = grip_labels[end];
+  grip.segments = ends(along)[end];
+  grip.stiffness = stage_.grip_stiffness;
+  return grip;
+}
+
 void StageSetup::close_grips(Along along) {
   const auto& grips = ends(along);
   const Vec3 apart = centre_of(scene_.fabric, grips[1], start_.q) - centre_of(scene_.fabric, grips[0], start_.q);
@@ -71,10 +76,7 @@ void StageSetup::close_grips(Along along) {
 
 void StageSetup::move_grips(Along along, Schedule travel) {
   for (std::size_t end = 0; end < 2; ++end) {
-    Tether grip;
-    grip.label = grip_labels[end];
-    grip.segments = ends(along)[end];
-    grip.stiffness = stage_.grip_stiffness;
+    Tether grip = grip_on(along, end);
     grip.move = (end == 0 ? -0.5 : 0.5) * unit(along);
     grip.progress = travel;
     effects_.emplace_back(std::move(grip));

@@ -29,6 +29,7 @@ class StageSetup {
   void hold_ends();
   void mount_ends(const std::vector<double>& travels);
   void pull_ends();
+  Tether grip_on(Along, std::size_t end) const;
   void close_grips(Along);
   void move_grips(Along, Schedule travel);
   const std::array<std::vector<int>, 2>& ends(Along) const;

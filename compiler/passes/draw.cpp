@@ -30,9 +30,9 @@ class Drawing {
     Curves curves;
     std::size_t step = 0;
     for (const YarnPath& yarn : graph_.yarns) {
-      const std::size_t steps = yarn.loops.empty() ? 0 : yarn.loops.size() - 1;
-      if (!yarn.loops.empty()) curves.yarns.push_back(draw_yarn(yarn, step));
-      step += steps;
+      if (yarn.loops.empty()) continue;
+      curves.yarns.push_back(draw_yarn(yarn, step));
+      step += yarn.loops.size() - 1;
     }
     return curves;
   }
@@ -95,18 +95,14 @@ class Drawing {
     const bool joined = before && side_by_side(*before);
     if (joined) (heading > 0 ? shape.left : shape.right) = bearing(before->from);
     if (after && side_by_side(*after)) (heading > 0 ? shape.right : shape.left) = bearing(after->to);
-    const std::size_t first = pieces_.size();
-    if (hanging(loop).via < 0) {
-      add_part(shape, loop, -2, 2);
-    } else {
-      add_split(shape, loop);
-    }
     if (before && !joined) {
-      std::vector<CurvePiece> drawn(pieces_.begin() + static_cast<std::ptrdiff_t>(first), pieces_.end());
-      pieces_.resize(first);
-      join(*before, drawn.front().at(0));
-      pieces_.insert(pieces_.end(), drawn.begin(), drawn.end());
+      const Curve3 start = hung_point(size_, shape, -2 * heading);
+      join(*before, {start.y, heading * start.dy});
     }
+    if (hanging(loop).via < 0)
+      add_part(shape, loop, -2, 2);
+    else
+      add_split(shape, loop);
   }
 
   double stitch_length(int loop) const { return graph_.loops[static_cast<std::size_t>(loop)].stitch_length; }
@@ -184,24 +180,18 @@ class Drawing {
     for (const int loop : step.passed) {
       const Hanging& of = hanging(loop);
       const Vec3 &feet = anchor(of.feet).at, &head = anchor(of.head).at;
-      const double share = ((feet.x() + head.x()) / 2 - from.x()) / across;
+      const Vec3 middle = (feet + head) / 2;
+      const double share = (middle.x() - from.x()) / across;
       if (!(share > 0.05 && share < 0.95)) continue;
       Vec3 at = from + share * (to - from);
-      if (std::abs((feet.z() + head.z()) / 2 - at.z()) > same_sheet * diameter_ &&
-          !between_sheets(feet, head, from, to))
-        continue;
-      at.z() = (feet.z() + head.z()) / 2 - of.sign * size_.z;
+      const bool between_sheets = middle.z() > std::min(from.z(), to.z()) && middle.z() < std::max(from.z(), to.z());
+      if (std::abs(middle.z() - at.z()) > same_sheet * diameter_ && !between_sheets) continue;
+      at.z() = middle.z() - of.sign * size_.z;
       stops[share] = at;
     }
     std::vector<Vec3> points;
     for (const auto& [share, at] : stops) points.push_back(at);
     return points;
-  }
-
-  /// Between the sheets there is nothing to pass.
-  bool between_sheets(const Vec3& feet, const Vec3& head, const Vec3& from, const Vec3& to) const {
-    const double z = (feet.z() + head.z()) / 2;
-    return z > std::min(from.z(), to.z()) && z < std::max(from.z(), to.z());
   }
 
   /// Loose ends, on from the first and the last loop and away from the fabric's middle.

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "compiler/compile.hpp"
 #include "studio/cli/complain.hpp"
 
 namespace wale {
@@ -16,7 +17,7 @@ bool has_key(const std::string& text, std::string_view key) {
 }  // namespace
 
 FileKind kind_of(const Source& source) {
-  if (source.name.ends_with(".k") || source.text.starts_with(";!knitout")) return FileKind::knitout;
+  if (holds_knitout(source)) return FileKind::knitout;
   const bool scene = has_key(source.text, "scene") || has_key(source.text, "stages");
   return scene ? FileKind::scene : FileKind::chart;
 }

@@ -9,7 +9,7 @@ namespace wale {
 
 enum class FileKind { chart, scene, knitout };
 
-/// By suffix (.k) and by the keys at the left margin: only a scene has `scene:` and `stages:`.
+/// As holds_knitout() says, or by the keys at the left margin: only a scene has `scene:` and `stages:`.
 FileKind kind_of(const Source&);
 std::string_view name_of(FileKind);
 
