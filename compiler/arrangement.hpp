@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "compiler/stitch_graph.hpp"
+#include "compiler/strip.hpp"
 #include "sim/fabric.hpp"
 
 namespace wale {
@@ -12,7 +13,7 @@ namespace wale {
 /// A point where loops hang from each other: the heads of some, and the feet of those pulled through them. A loop made
 /// on an empty needle has its feet at one alone, a loop through which nothing was pulled its head.
 struct Anchor {
-  Vec3 at = Vec3::Zero();   ///< m; x along the courses, y up, z towards the viewer
+  Vec3 at = Vec3::Zero();   ///< m, in the strip; x along the courses, y up, z towards the viewer
   Vec3 up = Vec3::UnitY();  ///< unit, in the plane of the fabric: where loops go from here
   std::vector<int> heads;   ///< loops, front to back
   std::vector<int> feet;    ///< loops, front to back
@@ -22,7 +23,8 @@ struct Anchor {
 struct Hanging {
   int feet = -1, head = -1;  ///< indices into Arrangement::anchors
   int via = -1;     ///< where one loop was pulled through it before another was at its head, as in a split; or -1
-  int sign = 1;     ///< +1 made on the front bed (a knit, seen from the face), -1 on the back bed
+  int sign = 1;     ///< +1 a knit, -1 a purl, seen from the face: the front, or a tube's outside
+  int half = 0;     ///< of a tube: +1 in the half that lay on the front bed, -1 in the other; else 0
   int heading = 1;  ///< +1 drawn from left to right
   int passes = 0;   ///< +1 if it crosses another loop on its way up and passes in front, -1 if behind
 };
@@ -32,11 +34,14 @@ struct YarnStep {
   int from = 0, to = 0;  ///< loops
   bool turns = false;    ///< the yarn goes back
   int apart = 1;         ///< columns
+  bool waits = false;    ///< for some courses, in which other yarns were knitted
   std::vector<int>
       passed;  ///< loops between which and the gap of the beds the yarn floats, in the order in which it does
 };
 
+/// Of a tube, places are those of its strip.
 struct Arrangement {
+  Strip strip;
   std::vector<Anchor> anchors;
   std::vector<Hanging> loops;   ///< as StitchGraph::loops
   std::vector<YarnStep> steps;  ///< yarn by yarn

@@ -24,17 +24,23 @@ std::optional<CompiledChart> compile_chart(Chart chart, int segments_per_stitch,
   auto graph = passes::knit(*program, say);
   if (!graph) return std::nullopt;
   passes::check_graph(*graph, say);
-  auto layout = passes::place(*graph, chart, say);
-  if (!layout) return std::nullopt;
-  const auto curves = passes::thread(*layout, chart, say);
-  if (!curves) return std::nullopt;
   if (say.failed()) return std::nullopt;
-  Fabric fabric = passes::fit(*curves, chart.materials(), segments_per_stitch);
-  Gauge gauge = gauge_of(*layout, fabric);
-  auto crossings = demanded_crossings(*graph, fabric);
-  Compiled compiled{chart.name,        std::move(*program), std::move(*graph),
+  *graph = passes::tie_ends(*graph);
+  double diameter = 0;
+  for (const ChartYarn& yarn : chart.yarns) diameter = std::max(diameter, yarn.material.diameter);
+  const LoopSize size = large_enough(diameter, longest_stitch(*graph));
+  Arrangement arrangement = passes::arrange(*graph, size, diameter);
+  const passes::Edges edges{chart.start == Edge::cast_on, chart.end == Edge::bind_off,
+                            static_cast<int>(chart.yarns.size())};
+  const Curves curves = passes::draw(*graph, arrangement, size, diameter, edges);
+  Fabric fabric = passes::fit(curves, chart.materials(), segments_per_stitch);
+  auto crossings = demanded_crossings(*graph, arrangement, fabric);
+  passes::prove(*graph, fabric, crossings, say);
+  if (say.failed()) return std::nullopt;
+  Gauge gauge = gauge_of(chart, *graph, fabric);
+  Compiled compiled{chart.name,        std::move(*program), std::move(*graph),   std::move(arrangement),
                     std::move(fabric), std::move(gauge),    std::move(crossings)};
-  return CompiledChart{std::move(compiled), std::move(chart), std::move(*layout)};
+  return CompiledChart{std::move(compiled), std::move(chart)};
 }
 
 bool holds_knitout(const Source& source) {
@@ -72,40 +78,30 @@ std::vector<Material> yarn_of_each(const std::vector<std::string>& carriers, con
 
 }  // namespace
 
-std::optional<CompiledKnitout> compile_knitout(const Source& source, const KnitoutOptions& options,
-                                               const Material& yarn, int segments_per_stitch, Diagnostics& say) {
+std::optional<Compiled> compile_knitout(const Source& source, const KnitoutOptions& options, const Material& yarn,
+                                        int segments_per_stitch, Diagnostics& say) {
   const std::size_t errors = say.error_count();
   auto [program, graph] = knit_knitout(source, options, say);
   if (say.error_count() > errors) return std::nullopt;
-  double longest = 0;
-  const Loop* shortest = nullptr;
-  for (const Loop& loop : graph.loops) {
-    longest = std::max(longest, loop.stitch_length);
-    if (!shortest || loop.stitch_length < shortest->stitch_length) shortest = &loop;
-  }
-  if (shortest && jams(shortest->stitch_length, yarn))
+  const auto shortest = std::min_element(graph.loops.begin(), graph.loops.end(), [](const Loop& a, const Loop& b) {
+    return a.stitch_length < b.stitch_length;
+  });
+  if (shortest != graph.loops.end() && jams(shortest->stitch_length, yarn))
     warn_of_jamming(shortest->stitch_length, yarn, yarn.name, shortest->span, say);
   const double diameter = yarn.diameter;
-  const LoopSize size = large_enough(diameter, longest);
+  const LoopSize size = large_enough(diameter, longest_stitch(graph));
   Arrangement arrangement = passes::arrange(graph, size, diameter);
-  const Curves curves = passes::draw(graph, arrangement, size, diameter);
+  const Curves curves = passes::draw(graph, arrangement, size, diameter, {});
   Fabric fabric = passes::fit(curves, yarn_of_each(program.carriers, yarn), segments_per_stitch);
-  auto crossings = demanded_crossings(graph, fabric);
+  auto crossings = demanded_crossings(graph, arrangement, fabric);
   passes::prove(graph, fabric, crossings, say);
   if (say.error_count() > errors) return std::nullopt;
   Gauge gauge = gauge_of(graph, fabric);
-  Compiled compiled{source.name,       std::move(program), std::move(graph),
-                    std::move(fabric), std::move(gauge),   std::move(crossings)};
-  return CompiledKnitout{std::move(compiled), std::move(arrangement)};
+  return Compiled{source.name,       std::move(program), std::move(graph),    std::move(arrangement),
+                  std::move(fabric), std::move(gauge),   std::move(crossings)};
 }
 
 namespace {
-
-template <class C>
-std::optional<Compiled> common(std::optional<C> compiled) {
-  if (!compiled) return std::nullopt;
-  return std::move(static_cast<Compiled&>(*compiled));
-}
 
 KnitoutOptions knitout_options(const ParsedScene& scene) {
   KnitoutOptions options{scene.crop, {}};
@@ -115,9 +111,9 @@ KnitoutOptions knitout_options(const ParsedScene& scene) {
 
 std::optional<Compiled> compile_pattern(const Source& source, const ParsedScene& scene, Diagnostics& say) {
   if (holds_knitout(source))
-    return common(compile_knitout(source, knitout_options(scene), scene.overrides.material.value_or(Material{}),
-                                  scene.segments_per_stitch, say));
-  return common(compile_chart(source, scene.overrides, scene.segments_per_stitch, say));
+    return compile_knitout(source, knitout_options(scene), scene.overrides.material.value_or(Material{}),
+                           scene.segments_per_stitch, say);
+  return compile_chart(source, scene.overrides, scene.segments_per_stitch, say);
 }
 
 }  // namespace

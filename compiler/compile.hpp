@@ -13,6 +13,7 @@ struct Compiled {
   std::string name;
   Program program;
   StitchGraph graph;
+  Arrangement arrangement;
   Fabric fabric;
   Gauge gauge;
   std::vector<Crossing> crossings;
@@ -20,11 +21,6 @@ struct Compiled {
 
 struct CompiledChart : Compiled {
   Chart chart;
-  Layout layout;
-};
-
-struct CompiledKnitout : Compiled {
-  Arrangement arrangement;
 };
 
 /// A chart to a fabric. Nothing if an error was reported. `segments_per_stitch` is at least 8.
@@ -51,8 +47,8 @@ Knitted knit_knitout(const Source&, const KnitoutOptions&, Diagnostics&);
 
 /// A knitout file to a fabric, whatever it knits, every carrier with `yarn`. Nothing if an error was reported; it is
 /// one if the fabric drawn has not exactly the crossings that the stitch graph demands.
-std::optional<CompiledKnitout> compile_knitout(const Source&, const KnitoutOptions&, const Material& yarn,
-                                               int segments_per_stitch, Diagnostics&);
+std::optional<Compiled> compile_knitout(const Source&, const KnitoutOptions&, const Material& yarn,
+                                        int segments_per_stitch, Diagnostics&);
 
 /// A scene file, and the chart or knitout file that it names (read through `sources`, relative to the scene file), to a
 /// Scene.

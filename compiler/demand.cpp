@@ -34,23 +34,20 @@ struct Neighbours {
   }
 };
 
-std::map<int, const PlacedLoop*> by_stitch(const Layout& layout) {
-  std::map<int, const PlacedLoop*> placed;
-  for (const auto& row : layout.rows)
-    for (const PlacedLoop& loop : row) placed[loop.loop] = &loop;
-  return placed;
-}
-
 }  // namespace
 
-std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Fabric& fabric) {
+std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Arrangement& arrangement,
+                                         const Fabric& fabric) {
   const auto ranges = ranges_by_stitch(fabric);
   const Neighbours along_yarn(graph);
   const auto head = [](const Range& of) { return (of.first + of.last + 1) / 2; };
-  // A side reaches to the head beside it, or half a stitch into a float. Where the yarn turns to another course it
-  // swings about freely, over or under the last loop, and tells nothing.
+  // A side reaches to the head beside it, or half a stitch into a float. Where the yarn turns to another course, or
+  // goes up to one, it swings about freely, over or under the last loop, and tells nothing.
+  const auto drawn = [&](int loop) -> const Hanging& { return arrangement.loops[static_cast<std::size_t>(loop)]; };
+  std::vector<char> waits(graph.loops.size(), 0);
+  for (const YarnStep& step : arrangement.steps) waits[static_cast<std::size_t>(step.to)] = step.waits;
   const auto same_way = [&](int a, int b) {
-    return graph.loops[static_cast<std::size_t>(a)].direction == graph.loops[static_cast<std::size_t>(b)].direction;
+    return drawn(a).heading == drawn(b).heading && !waits[static_cast<std::size_t>(b)];
   };
   const auto start_of_side = [&](int loop) -> std::optional<int> {
     const int before = along_yarn.before[static_cast<std::size_t>(loop)];
@@ -75,11 +72,13 @@ std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Fabric&
     const int middle = head(ranges.at(i));
     for (const int parent : child.through) {
       const Range loop = ranges.at(parent);
+      // Yarn pulled through the loop that it has just made begins where that loop ends.
+      const bool chained = parent == along_yarn.before[static_cast<std::size_t>(i)];
+      const int begin = chained ? std::max(start.value_or(0), loop.last + 1) : start.value_or(0);
       // The first side drawn goes up behind and over a knit loop's head; whether that turns left or right round it
       // depends on which way the loop below runs.
-      const bool leftwards = graph.loops[static_cast<std::size_t>(parent)].direction == Direction::decreasing;
-      const int sign = (leftwards ? -1 : 1) * (on_back(child.needle) ? -1 : 1);
-      if (start) crossings.push_back({*start, middle - 1, loop.first, loop.last, -sign});
+      const int sign = drawn(parent).heading * drawn(i).sign;
+      if (start) crossings.push_back({begin, middle - 1, loop.first, loop.last, -sign});
       if (end) crossings.push_back({middle, *end, loop.first, loop.last, sign});
     }
   }
@@ -107,24 +106,23 @@ Gauge gauge_of(const StitchGraph& graph, const Fabric& fabric) {
   return gauge;
 }
 
-Gauge gauge_of(const Layout& layout, const Fabric& fabric) {
-  const auto placed = by_stitch(layout);
+Gauge gauge_of(const Chart& chart, const StitchGraph& graph, const Fabric& fabric) {
   Gauge gauge;
-  gauge.wales = layout.wales;
-  gauge.courses = layout.courses;
-  const auto stitch_near = [&](int i, int step) {
+  gauge.wales = chart.wales();
+  gauge.courses = chart.course_count();
+  const auto stitch_near = [&](int i, int step) -> const ChartCell* {
     while (i >= 0 && i < fabric.segment_count() && fabric.segment(i).stitch < 0) i += step;
     const bool beyond = i < 0 || i >= fabric.segment_count();
-    return beyond ? nullptr : placed.at(fabric.segment(i).stitch);
+    return beyond ? nullptr : &graph.loops[static_cast<std::size_t>(fabric.segment(i).stitch)].cell;
   };
   for (int i = 0; i < fabric.segment_count(); ++i) {
-    const PlacedLoop *before = stitch_near(i, -1), *after = stitch_near(i, 1);
+    const ChartCell *before = stitch_near(i, -1), *after = stitch_near(i, 1);
     if (!before || (after && after->course == 0 && before->course == 0)) gauge.wale_ends[0].push_back(i);
-    if (!after || (before && before->course == layout.courses - 1 && after->course == layout.courses - 1))
+    if (!after || (before && before->course == gauge.courses - 1 && after->course == gauge.courses - 1))
       gauge.wale_ends[1].push_back(i);
-    if (layout.form == Form::tube || !before || !after) continue;
+    if (chart.form == Form::tube || !before || !after) continue;
     if (before->wale == 0 && after->wale == 0) gauge.course_ends[0].push_back(i);
-    if (before->wale == layout.wales - 1 && after->wale == layout.wales - 1) gauge.course_ends[1].push_back(i);
+    if (before->wale == gauge.wales - 1 && after->wale == gauge.wales - 1) gauge.course_ends[1].push_back(i);
   }
   return gauge;
 }

@@ -1,19 +1,21 @@
-/// What a compiled fabric must keep, and where it is gripped: found from its layout and its segments' stitches.
+/// What a compiled fabric must keep, and where it is gripped: found from its stitch graph and its segments' stitches.
 #pragma once
 
 #include <vector>
 
-#include "compiler/layout.hpp"
+#include "compiler/arrangement.hpp"
+#include "compiler/chart.hpp"
+#include "compiler/stitch_graph.hpp"
 #include "sim/scene.hpp"
 
 namespace wale {
 
 /// Both sides of every loop that is pulled through another; at a selvedge only the inner side.
-std::vector<Crossing> demanded_crossings(const StitchGraph&, const Fabric&);
+std::vector<Crossing> demanded_crossings(const StitchGraph&, const Arrangement&, const Fabric&);
 
 /// The ends of a swatch: cast-on and first course, last course and bind-off; the first and the last wale with the yarn
 /// that joins courses there. A tube has no course ends.
-Gauge gauge_of(const Layout&, const Fabric&);
+Gauge gauge_of(const Chart&, const StitchGraph&, const Fabric&);
 /// The feet of loops made on empty needles in the first course; the heads of the loops left on needles or, if there are
 /// none, those of the last course.
 Gauge gauge_of(const StitchGraph&, const Fabric&);

@@ -8,7 +8,6 @@
 #include "compiler/crop.hpp"
 #include "compiler/curves.hpp"
 #include "compiler/diagnostic.hpp"
-#include "compiler/layout.hpp"
 #include "compiler/machines.hpp"
 #include "compiler/passes/loop_shape.hpp"
 #include "compiler/program.hpp"
@@ -17,6 +16,12 @@
 #include "sim/scene.hpp"
 
 namespace wale::passes {
+
+/// How a chart's first and last course are secured: by a spiral, or not at all, as a knitout file's always are.
+struct Edges {
+  bool cast_on = false, bind_off = false;
+  int yarns = 0;  ///< materials; after them follow their edge forms
+};
 
 std::optional<Chart> parse_chart(const Source&, const ChartOverrides&, Diagnostics&);
 /// A knitout file. Always gives a program: lines at fault are reported and left out, so that the rest can be counted.
@@ -41,16 +46,15 @@ StitchGraph crop(const StitchGraph&, const Crop&);
 void check_graph(const StitchGraph&, Diagnostics&);
 /// What a machine does with its own program, and a knitter would regret: loops left on needles, dropped columns.
 void check_knitting(const Program&, const StitchGraph&, Diagnostics&);
-std::optional<Layout> place(const StitchGraph&, const Chart&, Diagnostics&);
-/// One smooth curve a yarn, through the right side of each loop.
-std::optional<Curves> thread(const Layout&, const Chart&, Diagnostics&);
-/// The same two for any graph: where its loops hang from each other, and one curve a yarn through them.
+/// A chart is one piece of yarn: where its yarns change, the end of one is tied to the next. Loops keep their carriers.
+StitchGraph tie_ends(const StitchGraph&);
+/// Where loops hang from each other.
 Arrangement arrange(const StitchGraph&, const LoopSize&, double diameter);
-Curves draw(const StitchGraph&, const Arrangement&, const LoopSize&, double diameter);
-/// Whether the fabric has every crossing that its graph demands; an error at the first loop that is not placed right.
-void prove(const StitchGraph&, const Fabric&, const std::vector<Crossing>&, Diagnostics&);
+/// One smooth curve a yarn, through the right side of each loop. `edges` are for graphs of charts.
+Curves draw(const StitchGraph&, const Arrangement&, const LoopSize&, double diameter, const Edges& edges);
 /// Equal arc length, spline through the points; `segments_per_stitch` at least 8. The fabric has `yarns` as materials,
 /// and after them their edge forms, in the same order.
 Fabric fit(const Curves&, const std::vector<Material>& yarns, int segments_per_stitch);
-
+/// Whether the fabric has every crossing that its graph demands; an error at the first loop that is not placed right.
+void prove(const StitchGraph&, const Fabric&, const std::vector<Crossing>&, Diagnostics&);
 }  // namespace wale::passes

@@ -42,6 +42,12 @@ std::vector<int> courses_of(const StitchGraph& graph) {
   return courses;
 }
 
+double longest_stitch(const StitchGraph& graph) {
+  double longest = 0;
+  for (const Loop& loop : graph.loops) longest = std::max(longest, loop.stitch_length);
+  return longest;
+}
+
 std::string print(const StitchGraph& graph) {
   std::string text;
   for (int i = 0; i < static_cast<int>(graph.loops.size()); ++i) print_loop(graph, i, text);

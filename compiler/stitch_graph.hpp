@@ -85,6 +85,9 @@ std::vector<int> loops_before(const StitchGraph&);
 /// beside the one before it on its yarn.
 std::vector<int> courses_of(const StitchGraph&);
 
+/// The longest `Loop::stitch_length`, m; 0 if none is said.
+double longest_stitch(const StitchGraph&);
+
 /// One loop a line; what `--show graph` prints.
 std::string print(const StitchGraph&);
 

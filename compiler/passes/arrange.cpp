@@ -7,6 +7,7 @@
 #include "compiler/passes/levels.hpp"
 #include "compiler/passes/springs.hpp"
 #include "compiler/passes/surroundings.hpp"
+#include "compiler/passes/tube.hpp"
 
 namespace wale::passes {
 namespace {
@@ -17,6 +18,7 @@ constexpr double back_to_back = 5;      // where loops of both beds share a plac
 constexpr double spacer_pull = 0.02;    // of yarn that goes to and fro between two sheets
 constexpr double split_distance = 2.4;  // diameters between two loops that were pulled through one to opposite sides
 constexpr double least_rise = 0.2;      // courses from a loop's feet to its head
+constexpr double long_wait = 2.5;       // courses that a carrier was left out of
 constexpr double faint = 1e-3;          // what places loops that nothing else does
 
 double needles_between(const StitchGraph& graph, const YarnStep& step) {
@@ -45,42 +47,119 @@ void leave_room(const StitchGraph& graph, std::vector<YarnStep>& steps) {
     step.apart = std::max(step.apart, static_cast<int>(std::lround(per_needle * needles_between(graph, step))));
 }
 
+/// Whether yarn passes between loops of both beds: there are two sheets, or more than one layer.
+bool is_layered(const StitchGraph& graph, const Surroundings& around) {
+  const auto opposite = [&](int a, int b) {
+    return on_back(graph.loops[static_cast<std::size_t>(a)].needle) !=
+           on_back(graph.loops[static_cast<std::size_t>(b)].needle);
+  };
+  const auto crosses_the_other_bed = [&](const YarnStep& step) {
+    return !step.turns && std::any_of(step.passed.begin(), step.passed.end(),
+                                      [&](int loop) { return opposite(loop, step.to) || opposite(loop, step.from); });
+  };
+  return std::any_of(around.across.begin(), around.across.end(), [](int loop) { return loop >= 0; }) ||
+         std::any_of(around.steps.begin(), around.steps.end(), crosses_the_other_bed);
+}
+
+/// As seen from outside: the back half runs the other way, and shows its knits to the back.
+void see_from_outside(const Tube& tube, Arrangement& of) {
+  for (std::size_t i = 0; i < of.loops.size(); ++i) {
+    of.loops[i].half = tube.side[i];
+    of.loops[i].sign *= tube.side[i];
+    of.loops[i].heading *= tube.side[i];
+    of.loops[i].passes *= tube.side[i];
+  }
+  for (Anchor& anchor : of.anchors)
+    for (std::vector<int>* stack : {&anchor.heads, &anchor.feet})
+      if (!stack->empty() && tube.side[static_cast<std::size_t>(stack->front())] < 0)
+        std::reverse(stack->begin(), stack->end());
+  for (YarnStep& step : of.steps) {
+    const int heading = of.loops[static_cast<std::size_t>(step.to)].heading;
+    int ahead =
+        heading * (tube.column[static_cast<std::size_t>(step.to)] - tube.column[static_cast<std::size_t>(step.from)]);
+    ahead -= tube.round * static_cast<int>(std::lround(static_cast<double>(ahead) / tube.round));
+    step.turns = of.loops[static_cast<std::size_t>(step.from)].heading != heading || ahead < 0;
+    step.apart = std::max(1, std::abs(ahead));
+  }
+}
+
 /// Finds where everything lies: stitches pull their neighbours to the distances of a loose fabric.
 class Arranging {
  public:
-  Arranging(const StitchGraph& graph, const LoopSize& size, double diameter, const std::vector<int>& across,
-            Arrangement& of)
+  Arranging(const StitchGraph& graph, const LoopSize& size, double diameter, const Surroundings& around,
+            const std::optional<Tube>& tube, Arrangement& of)
       : graph_(graph),
         size_(size),
         diameter_(diameter),
-        across_(across),
+        across_(around.across),
+        tube_(tube),
+        layered_(!tube && is_layered(graph, around)),
         of_(of),
-        chained_(chained_loops(graph)),
+        chained_(chained_loops(graph, of)),
         levels_(levels_of(graph, of, chained_)),
-        columns_per_needle_(columns_per_needle(graph, of.steps)) {}
+        columns_per_needle_(tube ? tube->per_needle : columns_per_needle(graph, of.steps)) {
+    if (!tube) return;
+    const double round = tube->round * size.wale();
+    of.strip = {round, of.loops.front().heading * size.pitch / round};
+  }
 
   void solve() {
-    const Eigen::VectorXd x = across(), y = upwards(), z = sheets();
-    for (std::size_t i = 0; i < of_.anchors.size(); ++i) {
-      const auto k = static_cast<Eigen::Index>(i);
-      of_.anchors[i].at = {x(k), y(k), z(k)};
-    }
-    lift();
+    place(0, columns());
+    place(0, across());
+    place(1, upwards());
+    place(2, sheets());
+    if (layered_) lift();
     turn_up();
+    find_waiting();
   }
 
  private:
+  void place(int direction, const Eigen::VectorXd& values) {
+    for (std::size_t i = 0; i < of_.anchors.size(); ++i)
+      of_.anchors[i].at(direction) = values(static_cast<Eigen::Index>(i));
+  }
+
   const Loop& loop(int i) const { return graph_.loops[static_cast<std::size_t>(i)]; }
   const Hanging& at(int i) const { return of_.loops[static_cast<std::size_t>(i)]; }
   double level(int i) const { return levels_[static_cast<std::size_t>(i)]; }
 
-  /// By how many needles transfers moved a loop.
-  static double shift(const Loop& of) {
-    return position(of.last_needle, of.last_racking) - position(of.needle, of.racking);
+  /// How far transfers moved a loop, m.
+  double shift(int i) const {
+    const Loop& of = loop(i);
+    const double needles = position(of.last_needle, of.last_racking) - position(of.needle, of.racking);
+    return (tube_ ? tube_->side[static_cast<std::size_t>(i)] : 1) * needles * columns_per_needle_ * size_.wale();
   }
 
   /// In a bind-off a loop lies along the edge: the next loop of its own yarn is pulled through it.
   double sideways(int i) const { return chained_[static_cast<std::size_t>(i)] ? at(i).heading * size_.wale() : 0; }
+
+  const Vec3& anchor(int i) const { return of_.anchors[static_cast<std::size_t>(i)].at; }
+
+  /// Where the program made each loop, or left it.
+  double made_at(int i) const {
+    if (tube_) return size_.wale() * tube_->column[static_cast<std::size_t>(i)];
+    return size_.wale() * columns_per_needle_ * position(loop(i).needle, loop(i).racking);
+  }
+
+  Eigen::VectorXd columns() const {
+    Eigen::VectorXd x(static_cast<Eigen::Index>(of_.anchors.size()));
+    for (std::size_t i = 0; i < of_.anchors.size(); ++i) {
+      const Anchor& at = of_.anchors[i];
+      x(static_cast<Eigen::Index>(i)) = made_at(at.feet.empty() ? at.heads.front() : at.feet.front());
+    }
+    return x;
+  }
+
+  /// A spring between two places of a tube pulls the short way round.
+  void pull_across(Springs& springs, int a, int b, double difference, double weight) const {
+    const double turns = of_.strip.turns_from(anchor(a).x() + difference, anchor(b).x());
+    springs.between(a, b, difference - turns * of_.strip.round, weight);
+  }
+
+  void pull_up(Springs& springs, int a, int b, double difference, double weight) const {
+    const double turns = of_.strip.turns_from(anchor(a).x(), anchor(b).x());
+    springs.between(a, b, difference + turns * of_.strip.climb * of_.strip.round, weight);
+  }
 
   int first_head(int i) const { return at(i).via >= 0 ? at(i).via : at(i).head; }
   int first_foot(int anchor) const { return of_.anchors[static_cast<std::size_t>(anchor)].feet.front(); }
@@ -102,27 +181,26 @@ class Arranging {
     Springs springs(of_.anchors.size());
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
       const double n = rise(i);
-      springs.between(at(i).feet, first_head(i), n * size_.pitch, 1 / std::max(1.0, n * n));
-      if (at(i).via >= 0) springs.between(at(i).via, at(i).head, split_rise(i) * size_.pitch, 1);
+      pull_up(springs, at(i).feet, first_head(i), n * size_.pitch, 1 / std::max(1.0, n * n));
+      if (at(i).via >= 0) pull_up(springs, at(i).via, at(i).head, split_rise(i) * size_.pitch, 1);
       springs.towards(at(i).feet, level(i) * size_.pitch, faint);
     }
     for (const YarnStep& step : of_.steps)
-      if (!step.turns) springs.between(at(step.from).feet, at(step.to).feet, 0, step.apart > 3 ? 0.1 : 1);
+      if (!step.turns) pull_up(springs, at(step.from).feet, at(step.to).feet, 0, step.apart > 3 ? 0.1 : 1);
     return springs.rest();
   }
 
   Eigen::VectorXd across() const {
     Springs springs(of_.anchors.size());
-    const double per_needle = size_.wale() * columns_per_needle_;
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
-      if (at(i).via >= 0) springs.between(at(i).via, at(i).head, 0, 1);
-      springs.between(at(i).feet, first_head(i), at(i).passes ? per_needle * shift(loop(i)) : sideways(i), 1);
-      springs.towards(at(i).feet, per_needle * position(loop(i).needle, loop(i).racking), faint);
+      if (at(i).via >= 0) pull_across(springs, at(i).via, at(i).head, 0, 1);
+      pull_across(springs, at(i).feet, first_head(i), at(i).passes ? shift(i) : sideways(i), 1);
+      springs.towards(at(i).feet, made_at(i), faint);
     }
     for (const YarnStep& step : of_.steps)
       if (!step.turns)
-        springs.between(at(step.from).feet, at(step.to).feet, at(step.to).heading * step.apart * size_.wale(),
-                        1.0 / (step.apart * step.apart));
+        pull_across(springs, at(step.from).feet, at(step.to).feet, at(step.to).heading * step.apart * size_.wale(),
+                    1.0 / (step.apart * step.apart));
     return springs.rest();
   }
 
@@ -134,8 +212,8 @@ class Arranging {
       springs.between(at(i).feet, first_head(i), 0, 1);
       // The sheet that was knitted first lies on the side of its bed.
       if (at(i).via >= 0) springs.between(at(i).via, at(i).head, -sign_of(at(i).via) * split_distance * diameter_, 1);
-      const double pull = across_[static_cast<std::size_t>(i)] >= 0 ? back_to_back : sheet_pull;
-      springs.towards(at(i).feet, at(i).sign * sheet_distance * diameter_, pull);
+      const double pull = !layered_ ? faint : across_[static_cast<std::size_t>(i)] >= 0 ? back_to_back : sheet_pull;
+      springs.towards(at(i).feet, layered_ ? at(i).sign * sheet_distance * diameter_ : 0, pull);
     }
     for (const YarnStep& step : of_.steps)
       if (!step.turns) springs.between(at(step.from).feet, at(step.to).feet, 0, spans_the_gap(step) ? spacer_pull : 1);
@@ -165,8 +243,7 @@ class Arranging {
     std::vector<Vec3> lean(of_.anchors.size(), Vec3(0, size_.pitch, 0));
     for (const Hanging& loop : of_.loops) {
       if (loop.passes) continue;
-      Vec3 rise =
-          of_.anchors[static_cast<std::size_t>(loop.head)].at - of_.anchors[static_cast<std::size_t>(loop.feet)].at;
+      Vec3 rise = of_.strip.near(anchor(loop.feet).x(), anchor(loop.head)) - anchor(loop.feet);
       rise.z() = 0;
       lean[static_cast<std::size_t>(loop.feet)] += rise;
       lean[static_cast<std::size_t>(loop.head)] += rise;
@@ -175,10 +252,20 @@ class Arranging {
       if (lean[i].norm() > 1e-3 * size_.pitch) of_.anchors[i].up = lean[i].normalized();
   }
 
+  void find_waiting() {
+    for (YarnStep& step : of_.steps) {
+      const Vec3& from = anchor(at(step.from).feet);
+      const Vec3 to = of_.strip.near(from.x(), anchor(at(step.to).feet));
+      step.waits = std::abs(to.y() - from.y()) > long_wait * size_.pitch;
+    }
+  }
+
   const StitchGraph& graph_;
   const LoopSize& size_;
   double diameter_;
   const std::vector<int>& across_;
+  const std::optional<Tube>& tube_;
+  bool layered_;
   Arrangement& of_;
   std::vector<bool> chained_;
   std::vector<double> levels_;
@@ -193,7 +280,9 @@ Arrangement arrange(const StitchGraph& graph, const LoopSize& size, double diame
   arrangement.steps = around.steps;
   leave_room(graph, arrangement.steps);
   mark_crossing_loops(graph, arrangement);
-  Arranging(graph, size, diameter, around.across, arrangement).solve();
+  const std::optional<Tube> tube = find_tube(graph);
+  if (tube) see_from_outside(*tube, arrangement);
+  Arranging(graph, size, diameter, around, tube, arrangement).solve();
   return arrangement;
 }
 

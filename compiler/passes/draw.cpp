@@ -3,8 +3,9 @@
 #include <map>
 
 #include "compiler/passes.hpp"
+#include "compiler/passes/edges.hpp"
+#include "compiler/passes/hermite.hpp"
 #include "compiler/passes/hung_loop.hpp"
-#include "compiler/passes/strip.hpp"
 
 namespace wale::passes {
 namespace {
@@ -18,13 +19,14 @@ constexpr double turn_shrink = 0.7;     // turns are drawn wide and knitted stra
 constexpr double same_sheet = 1.5;      // diameters: loops further off in depth are of the other face of a tube
 constexpr double past_first = 0.65;     // in w: the legs of a split loop have passed the first loop pulled through it,
 constexpr double before_second = 0.85;  // and come to the second
-constexpr double long_way = 2.5;        // courses: no turn goes so far
 constexpr double beside = 1.3;          // wales beside the outermost loops
+constexpr double inside = 2.5;          // diameters from a tube's middle surface
 
 class Drawing {
  public:
-  Drawing(const StitchGraph& graph, const Arrangement& arrangement, const LoopSize& size, double diameter)
-      : graph_(graph), arrangement_(arrangement), size_(size), diameter_(diameter) {}
+  Drawing(const StitchGraph& graph, const Arrangement& arrangement, const LoopSize& size, double diameter,
+          const Edges& edges)
+      : graph_(graph), arrangement_(arrangement), size_(size), diameter_(diameter), edges_(edges) {}
 
   Curves draw() {
     Curves curves;
@@ -34,29 +36,47 @@ class Drawing {
       curves.yarns.push_back(draw_yarn(yarn, step));
       step += yarn.loops.size() - 1;
     }
+    if (arrangement_.strip.tube()) wind(curves);
     return curves;
   }
 
  private:
+  void wind(Curves& curves) const {
+    for (YarnCurve& yarn : curves.yarns)
+      for (CurvePiece& piece : yarn.pieces)
+        piece.at = [strip = arrangement_.strip, flat = std::move(piece.at)](double u) { return strip.wind(flat(u)); };
+  }
+
   const Hanging& hanging(int loop) const { return arrangement_.loops[static_cast<std::size_t>(loop)]; }
   const Anchor& anchor(int i) const { return arrangement_.anchors[static_cast<std::size_t>(i)]; }
 
   YarnCurve draw_yarn(const YarnPath& yarn, std::size_t first_step) {
     pieces_.clear();
-    material_ = yarn.carrier;
+    drawn_at_.clear();
+    x_ = anchor(hanging(yarn.loops.front()).feet).at.x();
     for (std::size_t k = 0; k < yarn.loops.size(); ++k) {
       const YarnStep* before = k > 0 ? &arrangement_.steps[first_step + k - 1] : nullptr;
       const YarnStep* after = k + 1 < yarn.loops.size() ? &arrangement_.steps[first_step + k] : nullptr;
-      draw_loop(yarn.loops[k], before, after);
+      if (before) x_ += before->turns ? 0 : hanging(before->to).heading * before->apart * size_.wale();
+      x_ = feet_at(yarn.loops[k]).x();
+      drawn_at_.push_back(x_);
+      material_ = graph_.loops[static_cast<std::size_t>(yarn.loops[k])].carrier;
+      draw_loop(yarn.loops[k], before, after, round_the_seam(yarn, k));
     }
-    tails();
+    begin(yarn);
+    finish(yarn);
     return {std::move(pieces_)};
   }
+
+  /// A tube's strip passes every place once a round; yarn goes on from where it is.
+  Vec3 nearby(const Vec3& at) const { return arrangement_.strip.near(x_, at); }
+  Vec3 feet_at(int loop) const { return nearby(anchor(hanging(loop).feet).at); }
+  Vec3 head_at(int loop) const { return nearby(anchor(hanging(loop).head).at); }
 
   /// One foot of a row goes over into the next where the loops lie side by side.
   bool side_by_side(const YarnStep& step) const {
     if (step.turns || step.apart != 1) return false;
-    const Vec3 apart = anchor(hanging(step.to).feet).at - anchor(hanging(step.from).feet).at;
+    const Vec3 apart = feet_at(step.to) - feet_at(step.from);
     const double ahead = hanging(step.to).heading * apart.x() / size_.wale();
     return ahead > 0.4 && ahead < 1.8 && std::abs(apart.y()) < size_.pitch && std::abs(apart.z()) < 2 * diameter_;
   }
@@ -67,7 +87,7 @@ class Drawing {
     const auto place = std::find(layers.begin(), layers.end(), loop) - layers.begin();
     const auto count = static_cast<double>(layers.size());
     const auto thickest = static_cast<double>(std::max(of.heads.size(), of.feet.size()));
-    Footing footing{of.at, of.up, 1 + deeper * (thickest - 1), 0};
+    Footing footing{nearby(of.at), of.up, 1 + deeper * (thickest - 1), 0};
     if (place < static_cast<std::ptrdiff_t>(layers.size()))
       footing.forward = diameter_ * ((count - 1) / 2 - static_cast<double>(place));
     return footing;
@@ -89,9 +109,40 @@ class Drawing {
     return bearing;
   }
 
-  void draw_loop(int loop, const YarnStep* before, const YarnStep* after) {
+  /// The loops of the yarn's first course, and of its last.
+  std::size_t first_course(const YarnPath& yarn) const {
+    const auto stitched = [this](int loop) { return !graph_.loops[static_cast<std::size_t>(loop)].through.empty(); };
+    return static_cast<std::size_t>(std::find_if(yarn.loops.begin(), yarn.loops.end(), stitched) - yarn.loops.begin());
+  }
+  std::size_t last_course(const YarnPath& yarn) const {
+    std::size_t from = yarn.loops.size();
+    while (from > 0 && graph_.loops[static_cast<std::size_t>(yarn.loops[from - 1])].held) --from;
+    return from;
+  }
+
+  /// Where a tube's yarn leads into its edges it leans on the loop beside it in the same course; else -1.
+  int round_the_seam(const YarnPath& yarn, std::size_t k) const {
+    if (!arrangement_.strip.tube()) return -1;
+    if (k == 0 && edges_.cast_on) return yarn.loops[first_course(yarn) - 1];
+    if (k + 1 == yarn.loops.size() && edges_.bind_off) return yarn.loops[last_course(yarn)];
+    return -1;
+  }
+
+  Bearing beside_with_signs_of(Bearing own, int other, double wales) const {
+    const Vec3 along = wales * size_.wale() * Vec3::UnitX();
+    own.feet.at += along;
+    own.head.at += along;
+    own.signs = bearing(other).signs;
+    return own;
+  }
+
+  void draw_loop(int loop, const YarnStep* before, const YarnStep* after, int over_the_seam) {
     HungLoop shape{bearing(loop), {}, {}};
     const int heading = hanging(loop).heading;
+    if (over_the_seam >= 0) {
+      const double side = before ? heading : -heading;
+      (side > 0 ? shape.right : shape.left) = beside_with_signs_of(shape.here, over_the_seam, side);
+    }
     const bool joined = before && side_by_side(*before);
     if (joined) (heading > 0 ? shape.left : shape.right) = bearing(before->from);
     if (after && side_by_side(*after)) (heading > 0 ? shape.right : shape.left) = bearing(after->to);
@@ -157,7 +208,7 @@ class Drawing {
   }
 
   std::vector<Vec3> on_the_way(const YarnStep& step, const Point& from, const Point& to) const {
-    if (std::abs(to.y.y() - from.y.y()) > long_way * size_.pitch) return round_the_side(from, to);
+    if (step.waits) return arrangement_.strip.tube() ? up_the_inside(from, to) : round_the_side(from, to);
     return passed(step, from.y, to.y);
   }
 
@@ -173,14 +224,19 @@ class Drawing {
     return {Vec3(x, from.y.y() + step, from.y.z()), Vec3(x, to.y.y() - step, to.y.z())};
   }
 
+  /// Nor has a tube a side; there it waited inside.
+  std::vector<Vec3> up_the_inside(const Point& from, const Point& to) const {
+    const Vec3 inwards(0, 0, -inside * diameter_);
+    return {from.y + inwards + 0.2 * (to.y - from.y), to.y + inwards - 0.2 * (to.y - from.y)};
+  }
+
   /// The points where a float lies behind the loops of the front bed that it passes, and before those of the back bed.
   std::vector<Vec3> passed(const YarnStep& step, const Vec3& from, const Vec3& to) const {
     const double across = to.x() - from.x();
     std::map<double, Vec3> stops;  // by share of the way
     for (const int loop : step.passed) {
       const Hanging& of = hanging(loop);
-      const Vec3 &feet = anchor(of.feet).at, &head = anchor(of.head).at;
-      const Vec3 middle = (feet + head) / 2;
+      const Vec3 middle = (feet_at(loop) + head_at(loop)) / 2;
       const double share = (middle.x() - from.x()) / across;
       if (!(share > 0.05 && share < 0.95)) continue;
       Vec3 at = from + share * (to - from);
@@ -194,30 +250,69 @@ class Drawing {
     return points;
   }
 
-  /// Loose ends, on from the first and the last loop and away from the fabric's middle.
-  void tails() {
-    const double length = size_.wale() / 2;
-    const Point first = pieces_.front().at(0), last = pieces_.back().at(1);
-    const auto tail = [&](const Point& a, const Point& b) {
-      return CurvePiece{[=](double u) { return hermite(a, b, u); }, -1, material_, 0, 1};
-    };
-    const Vec3 out = length * last.dy.normalized(), in = length * first.dy.normalized();
-    pieces_.push_back(tail({last.y, out}, {last.y + out, out}));
-    pieces_.insert(pieces_.begin(), tail({first.y - in, in}, {first.y, in}));
+  EdgeStyle edge_style(const Point& stitch) const { return {size_, diameter_, edges_.yarns, stitch}; }
+
+  /// The course of which the yarn's loops `from` to `to` (not included) are.
+  EdgeRow row(const YarnPath& yarn, std::size_t from, std::size_t to) const {
+    EdgeRow row;
+    row.heading = hanging(yarn.loops[from]).heading;
+    for (std::size_t k = from; k < to; ++k)
+      row.wales.push_back({hanging(yarn.loops[k]).sign, graph_.loops[static_cast<std::size_t>(yarn.loops[k])].carrier});
+    if (row.heading < 0) std::reverse(row.wales.begin(), row.wales.end());
+    row.first = row.heading > 0 ? drawn_at_[from] : drawn_at_[to - 1];
+    const Vec3& feet = anchor(hanging(yarn.loops[from]).feet).at;
+    row.level = arrangement_.strip.near(drawn_at_[from], feet).y() + size_.pitch / 2;
+    return row;
+  }
+
+  void begin(const YarnPath& yarn) {
+    const Point first = pieces_.front().at(0);
+    std::vector<CurvePiece> before;
+    if (edges_.cast_on) {
+      before = cast_on(row(yarn, 0, first_course(yarn)), edge_style(first));
+    } else {
+      const Vec3 in = tail_length() * first.dy.normalized();
+      before.push_back(tail({first.y - in, in}, {first.y, in}, pieces_.front().material));
+    }
+    pieces_.insert(pieces_.begin(), before.begin(), before.end());
+  }
+
+  void finish(const YarnPath& yarn) {
+    const Point last = pieces_.back().at(1);
+    if (!edges_.bind_off) {
+      const Vec3 out = tail_length() * last.dy.normalized();
+      pieces_.push_back(tail({last.y, out}, {last.y + out, out}, material_));
+      return;
+    }
+    const EdgeRow course = row(yarn, last_course(yarn), yarn.loops.size());
+    const auto after =
+        arrangement_.strip.tube() ? bind_off_round(course, edge_style(last)) : bind_off_flat(course, edge_style(last));
+    pieces_.insert(pieces_.end(), after.begin(), after.end());
+  }
+
+  double tail_length() const { return size_.wale() / 2; }
+
+  /// A loose end, on from the first or the last loop and away from the fabric's middle.
+  static CurvePiece tail(const Point& a, const Point& b, int material) {
+    return {[=](double u) { return hermite(a, b, u); }, -1, material, 0, 1};
   }
 
   const StitchGraph& graph_;
   const Arrangement& arrangement_;
   LoopSize size_;
   double diameter_;
+  Edges edges_;
   int material_ = 0;
+  double x_ = 0;                  // where the yarn is, along the strip
+  std::vector<double> drawn_at_;  // of each loop of the yarn
   std::vector<CurvePiece> pieces_;
 };
 
 }  // namespace
 
-Curves draw(const StitchGraph& graph, const Arrangement& arrangement, const LoopSize& size, double diameter) {
-  return Drawing(graph, arrangement, size, diameter).draw();
+Curves draw(const StitchGraph& graph, const Arrangement& arrangement, const LoopSize& size, double diameter,
+            const Edges& edges) {
+  return Drawing(graph, arrangement, size, diameter, edges).draw();
 }
 
 }  // namespace wale::passes

@@ -41,7 +41,7 @@ class Levels {
     for (const int with : arrangement_.anchors[static_cast<std::size_t>(own.head)].heads)
       if (with < i && !loop(with).through.empty()) highest = std::max(highest, std::floor(level(with)) + 1);
     // A yarn that tucks on its way there and back again.
-    auto& passes = passes_[{loop(i).carrier, own.sign, static_cast<int>(along)}];
+    auto& passes = passes_[{loop(i).carrier, own.half != 0 ? own.half : own.sign, static_cast<int>(along)}];
     passes.insert(loop(i).course);
     return highest + std::min(most_over_itself, over_itself * static_cast<double>(passes.size() - 1));
   }
@@ -50,20 +50,21 @@ class Levels {
   const Arrangement& arrangement_;
   const std::vector<bool>& chained_;
   std::vector<double> of_;
-  std::map<std::array<int, 3>, std::set<int>> passes_;  // by carrier, bed and course
+  std::map<std::array<int, 3>, std::set<int>> passes_;  // by carrier, sheet and course
 };
 
 }  // namespace
 
-std::vector<bool> chained_loops(const StitchGraph& graph) {
+std::vector<bool> chained_loops(const StitchGraph& graph, const Arrangement& arrangement) {
   constexpr std::size_t soon = 3;  // loops, since a bind-off may tuck on the other bed on its way
   std::vector<bool> chained(graph.loops.size(), false);
   for (const YarnPath& yarn : graph.yarns)
     for (std::size_t k = 1; k < yarn.loops.size(); ++k) {
       const Loop& child = graph.loops[static_cast<std::size_t>(yarn.loops[k])];
+      const int heading = arrangement.loops[static_cast<std::size_t>(yarn.loops[k])].heading;
       for (std::size_t back = 1; back <= std::min(soon, k); ++back) {
         const int before = yarn.loops[k - back];
-        if (graph.loops[static_cast<std::size_t>(before)].direction != child.direction) break;
+        if (arrangement.loops[static_cast<std::size_t>(before)].heading != heading) break;
         if (std::find(child.through.begin(), child.through.end(), before) != child.through.end())
           chained[static_cast<std::size_t>(before)] = true;
       }

@@ -11,7 +11,7 @@ namespace wale {
 inline constexpr double over_itself = 0.4;
 
 /// Loops through which the same yarn is pulled again before it turns, as in a bind-off.
-std::vector<bool> chained_loops(const StitchGraph&);
+std::vector<bool> chained_loops(const StitchGraph&, const Arrangement&);
 
 /// How high above the first course each loop's feet lie, in courses. As courses_of(), but a chain along an edge stays
 /// in one course, a tuck lies one above the loops that it hangs with, and a cast-on that goes back over itself lies a

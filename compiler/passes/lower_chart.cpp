@@ -43,8 +43,12 @@ class Lowering {
 
   Program run() {
     for (int course = 0; course < chart_.course_count(); ++course) {
-      if (course > 0) transfer_to(course);
-      knit(course);
+      if (chart_.form == Form::tube) {
+        knit_round(course);
+      } else {
+        if (course > 0) transfer_to(course);
+        knit_row(course);
+      }
     }
     return std::move(program_);
   }
@@ -62,19 +66,40 @@ class Lowering {
     return made;
   }
 
+  void transfer(int course, int wale, Stitch from, Stitch to) {
+    if (from == to) return;
+    Instruction& transfer = emit(Op::split, course, wale);
+    transfer.needle = needle_of(chart_, wale, from);
+    transfer.other = needle_of(chart_, wale, to);
+  }
+
   void transfer_to(int course) {
-    for (int wale = 0; wale < chart_.wales(); ++wale) {
-      const Stitch before = cell_at(course - 1, wale).stitch, next = cell_at(course, wale).stitch;
-      if (before == next) continue;
-      Instruction& transfer = emit(Op::split, course, wale);
-      transfer.needle = needle_of(chart_, wale, before);
-      transfer.other = needle_of(chart_, wale, next);
+    for (int wale = 0; wale < chart_.wales(); ++wale)
+      transfer(course, wale, cell_at(course - 1, wale).stitch, cell_at(course, wale).stitch);
+  }
+
+  void knit_row(int course) {
+    const bool from_left = starts_from_left(chart_, course);
+    for (int i = 0; i < chart_.wales(); ++i) {
+      stitch(course, from_left ? i : chart_.wales() - 1 - i, from_left);
+      take_out();
     }
   }
 
-  void knit(int course) {
+  /// Half by half. Loops wait on their half's own bed, the front half's on the front bed: on the other they would lie
+  /// behind the yarn that knits the other half, and the halves would be knitted into each other.
+  void knit_round(int course) {
     const bool from_left = starts_from_left(chart_, course);
-    for (int i = 0; i < chart_.wales(); ++i) stitch(course, from_left ? i : chart_.wales() - 1 - i, from_left);
+    const int half = chart_.wales() / 2;
+    for (const bool back : {!from_left, from_left}) {
+      const int first = back ? half : 0;
+      for (int wale = first; course > 0 && wale < first + half; ++wale)
+        transfer(course, wale, Stitch::knit, cell_at(course, wale).stitch);
+      for (int i = 0; i < half; ++i) stitch(course, first + (from_left ? i : half - 1 - i), from_left);
+      for (int wale = first; wale < first + half; ++wale)
+        transfer(course, wale, cell_at(course, wale).stitch, Stitch::knit);
+      take_out();
+    }
   }
 
   void stitch(int course, int wale, bool from_left) {
@@ -87,13 +112,20 @@ class Lowering {
     made.needle = needle_of(chart_, wale, cell.stitch);
     made.carriers = {cell.yarn};
     made.stitch_length = cell.stitch_length;
-    if (--stitches_left_[yarn] == 0) emit(Op::out, course, wale).carriers = {cell.yarn};
+    if (--stitches_left_[yarn] == 0) done_.push_back({course, wale});
+  }
+
+  /// The yarns whose last stitch is made.
+  void take_out() {
+    for (const ChartCell& at : done_) emit(Op::out, at.course, at.wale).carriers = {cell_at(at.course, at.wale).yarn};
+    done_.clear();
   }
 
   const Chart& chart_;
   Program program_;
   std::vector<long> stitches_left_;  // by yarn
   std::vector<bool> in_;
+  std::vector<ChartCell> done_;  // the last stitches of yarns that have not been taken out
 };
 
 }  // namespace

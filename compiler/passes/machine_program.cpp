@@ -26,6 +26,7 @@ class Dressing {
   Program run() {
     for (std::size_t i = 0; i < lowered_.code.size(); ++i) {
       if (i + 1 == lowered_.code.size() && chart_.end == Edge::bind_off) bind_off();
+      if (i > 0) hang_over(lowered_.code[i]);
       add(lowered_.code[i]);
       if (i == 0 && chart_.start == Edge::cast_on) cast_on();
     }
@@ -105,12 +106,21 @@ class Dressing {
     const Knits first = knits_of(0);
     const int carrier = first.front()->carriers.front();
     set_size(first.front()->stitch_length);
-    for (std::size_t i = 0; i < first.size(); i += 2) stitch(Op::tuck, first[i]->needle, first[i]->direction, carrier);
+    for (std::size_t i = 0; i < first.size(); i += 2) stitch(Op::tuck, tucked(*first[i]), first[i]->direction, carrier);
     for (std::size_t k = 1; k < first.size(); k += 2) {
       const std::size_t last_odd = first.size() - (first.size() % 2 == 0 ? 1 : 2);
       const Instruction& at = *first[round() ? k : last_odd + 1 - k];
-      stitch(Op::tuck, at.needle, round() ? at.direction : turned(at.direction), carrier);
+      stitch(Op::tuck, tucked(at), round() ? at.direction : turned(at.direction), carrier);
     }
+  }
+
+  /// Where the cast-on tucks for a loop of the first course: a tube's loops must wait on their half's own bed.
+  Needle tucked(const Instruction& at) const { return round() ? home(at) : at.needle; }
+
+  /// And from there it goes to where it is knitted.
+  void hang_over(const Instruction& at) {
+    if (chart_.start == Edge::cast_on && at.op == Op::knit && at.cell.course == 0 && tucked(at) != at.needle)
+      transfer(tucked(at), at.needle);
   }
 
   void transfer(const Needle& from, const Needle& to) { add(Op::split, from).other = to; }
@@ -136,7 +146,7 @@ class Dressing {
     const int carrier = last.back()->carriers.front();
     if (!round()) std::reverse(last.begin(), last.end());
     for (const Instruction* at : last)
-      if (home(*at) != at->needle) transfer(at->needle, home(*at));
+      if (!round() && home(*at) != at->needle) transfer(at->needle, home(*at));
     for (std::size_t i = 0; i < last.size(); ++i) {
       if (i > 0) transfer_along(home(*last[i - 1]), home(*last[i]));
       stitch(Op::knit, home(*last[i]), round() ? last[i]->direction : turned(last[i]->direction), carrier);

@@ -78,7 +78,9 @@ class Needles {
 
 YarnStep step_between(const StitchGraph& graph, int from, int to, const Needles& needles) {
   const Loop &before = graph.loops[static_cast<std::size_t>(from)], &after = graph.loops[static_cast<std::size_t>(to)];
-  YarnStep step{from, to, false, 1, {}};
+  YarnStep step;
+  step.from = from;
+  step.to = to;
   const double x = position(before.needle, before.racking), next = position(after.needle, after.racking);
   const int heading = after.direction == Direction::decreasing ? -1 : 1;
   step.turns = before.direction != after.direction || heading * (next - x) < 0;

@@ -16,7 +16,7 @@ namespace {
 constexpr int segments_per_stitch = 12;
 
 struct Fitted {
-  Layout layout;
+  StitchGraph graph;
   Curves curves;
   Fabric fabric;
 };
@@ -24,12 +24,14 @@ struct Fitted {
 Fitted fitted(const Chart& chart) {
   Diagnostics say;
   const auto program = passes::lower_chart(chart, say);
-  const auto graph = program ? passes::knit(*program, say) : std::nullopt;
-  auto layout = graph ? passes::place(*graph, chart, say) : std::nullopt;
-  auto curves = layout ? passes::thread(*layout, chart, say) : std::nullopt;
-  auto fabric = curves ? std::optional(passes::fit(*curves, chart.materials(), segments_per_stitch)) : std::nullopt;
-  if (!fabric) throw std::runtime_error("the chart was refused");
-  return {std::move(*layout), std::move(*curves), std::move(*fabric)};
+  auto graph = program ? passes::knit(*program, say) : std::nullopt;
+  if (!graph) throw std::runtime_error("the chart was refused");
+  const double d = chart.yarns.front().material.diameter;
+  const LoopSize size = large_enough(d, longest_stitch(*graph));
+  Curves curves = passes::draw(*graph, passes::arrange(*graph, size, d), size, d,
+                               {true, true, static_cast<int>(chart.yarns.size())});
+  Fabric fabric = passes::fit(curves, chart.materials(), segments_per_stitch);
+  return {std::move(*graph), std::move(curves), std::move(fabric)};
 }
 
 Chart mixture(Form form) { return make_random_chart(8, 4, form, 7); }
@@ -126,7 +128,7 @@ TEST(Fit, EndsPointAlongTheCurveAtUnitStretch) {
   }
 }
 
-TEST(Thread, PiecesFollowEachOtherInPositionAndDirection) {
+TEST(Draw, PiecesFollowEachOtherInPositionAndDirection) {
   for (const Form form : {Form::flat, Form::tube}) {
     const Fitted made = fitted(mixture(form));
     const auto& pieces = made.curves.yarns.front().pieces;
@@ -149,12 +151,12 @@ TEST(Fit, KnitsEachStitchToItsLengthButForOneSegment) {
     longest[segment.stitch] = std::max(longest[segment.stitch], segment.knitted);
   }
   double sum = 0, wanted = 0;
-  for (const auto& row : made.layout.rows)
-    for (const PlacedLoop& loop : row) {
-      EXPECT_NEAR(knitted.at(loop.loop), loop.course < 2 ? 7.23e-3 : 8.4e-3, longest.at(loop.loop));
-      sum += knitted.at(loop.loop);
-      wanted += loop.stitch_length;
-    }
+  for (int i = 0; i < static_cast<int>(made.graph.loops.size()); ++i) {
+    const Loop& loop = made.graph.loops[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(knitted.at(i), loop.cell.course < 2 ? 7.23e-3 : 8.4e-3, longest.at(i));
+    sum += knitted.at(i);
+    wanted += loop.stitch_length;
+  }
   EXPECT_NEAR(sum, wanted, 0.01 * wanted);
 }
 
@@ -186,8 +188,8 @@ TEST(Fit, SegmentsCarryMaterialAndStitch) {
     }
   }
   EXPECT_EQ(made.fabric.materials[1].name, "thin");
-  for (const auto& row : made.layout.rows)
-    for (const PlacedLoop& loop : row) EXPECT_NEAR(count.at(loop.loop), segments_per_stitch, 2);
+  for (int i = 0; i < static_cast<int>(made.graph.loops.size()); ++i)
+    EXPECT_NEAR(count.at(i), segments_per_stitch, 2) << i;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "compiler/compile.hpp"
+#include "tests/support/grid.hpp"
 #include "tests/support/projected_crossings.hpp"
 #include "tests/support/structures.hpp"
 
@@ -19,7 +20,7 @@ CompiledChart compiled(const Chart& chart, int segments) {
   return std::move(*made);
 }
 
-/// What one place of a loop meets: a loop of the layout, or the cast-on, a join or the bind-off (loop -1).
+/// What one place of a loop meets: a loop of the chart, or the cast-on, a join or the bind-off (loop -1).
 struct Meeting {
   double here = 0, there = 0;  ///< along the yarn, segments
   int partner = -1;
@@ -30,7 +31,7 @@ struct Meeting {
 class Reading {
  public:
   Reading(const CompiledChart& made, const Points& q) : made_(made) {
-    const Drawn drawn = drawn_from_the_face(made.fabric, q, made.layout.form == Form::tube);
+    const Drawn drawn = drawn_from_the_face(made.fabric, q, made.chart.form == Form::tube);
     find_feet(drawn);
     for (const SeenCrossing& seen : projected_crossings(drawn)) {
       const int a = stitch_at(seen.first), b = stitch_at(seen.second);
@@ -75,7 +76,7 @@ class Reading {
 
 /// Along the child: sinker, leg, leg, sinker. The leg passes the parent's head, the sinker the parent's upper leg on
 /// the same side; both with the sign of the child: leg over head and upper leg over sinker for +1.
-void expect_pulled_through(Reading& reading, const PlacedLoop& child, const PlacedLoop& parent, bool same_way) {
+void expect_pulled_through(Reading& reading, const GridLoop& child, const GridLoop& parent, bool same_way) {
   const std::vector<Meeting> met = reading.between(child.loop, parent.loop);
   ASSERT_EQ(met.size(), 4U);
   const int s = child.sign;
@@ -84,7 +85,7 @@ void expect_pulled_through(Reading& reading, const PlacedLoop& child, const Plac
 }
 
 /// From foot to foot a loop meets the one below, the one above four times, and the one below again.
-void expect_in_order(Reading& reading, const PlacedLoop& loop, int below, int above) {
+void expect_in_order(Reading& reading, const GridLoop& loop, int below, int above) {
   std::vector<int> met, demanded;
   for (const Meeting& meeting : reading.of(loop.loop))
     if (meeting.partner >= 0) met.push_back(meeting.partner);
@@ -95,12 +96,12 @@ void expect_in_order(Reading& reading, const PlacedLoop& loop, int below, int ab
 }
 
 /// Each sinker between two loops of the first course goes once over and once under the cast-on.
-void expect_cast_on(Reading& reading, const Layout& layout) {
+void expect_cast_on(Reading& reading, const LoopGrid& grid) {
   std::vector<Meeting> met;
-  const int wales = layout.wales;
+  const int wales = grid.wales;
   for (int k = 0; k < wales; ++k) {
-    const auto wale = static_cast<std::size_t>(layout.from_left.front() ? k : wales - 1 - k);
-    const std::vector<Meeting> here = reading.between(layout.rows.front()[wale].loop, -1);
+    const auto wale = static_cast<std::size_t>(grid.from_left.front() ? k : wales - 1 - k);
+    const std::vector<Meeting> here = reading.between(grid.rows.front()[wale].loop, -1);
     EXPECT_EQ(here.size(), k == 0 || k == wales - 1 ? 1U : 2U) << "wale " << wale;
     met.insert(met.end(), here.begin(), here.end());
   }
@@ -108,8 +109,8 @@ void expect_cast_on(Reading& reading, const Layout& layout) {
 }
 
 /// The head of each loop of the last course goes once over and once under the bind-off.
-void expect_bind_off(Reading& reading, const Layout& layout) {
-  for (const PlacedLoop& loop : layout.rows.back()) {
+void expect_bind_off(Reading& reading, const LoopGrid& grid) {
+  for (const GridLoop& loop : grid.rows.back()) {
     const std::vector<Meeting> met = reading.between(loop.loop, -1);
     ASSERT_EQ(met.size(), 2U) << "wale " << loop.wale;
     EXPECT_EQ(met[0].above, -met[1].above) << "wale " << loop.wale;
@@ -118,20 +119,20 @@ void expect_bind_off(Reading& reading, const Layout& layout) {
 
 void expect_demanded_crossings(const CompiledChart& made) {
   Reading reading(made, made.fabric.points);
-  const Layout& layout = made.layout;
-  const auto& rows = layout.rows;
+  const LoopGrid grid = grid_of(made.chart, made.graph, made.arrangement);
+  const auto& rows = grid.rows;
   for (std::size_t course = 0; course < rows.size(); ++course)
     for (std::size_t wale = 0; wale < rows[course].size(); ++wale) {
       SCOPED_TRACE("course " + std::to_string(course) + ", wale " + std::to_string(wale));
-      const PlacedLoop& loop = rows[course][wale];
-      const PlacedLoop* below = course > 0 ? &rows[course - 1][wale] : nullptr;
-      const PlacedLoop* above = course + 1 < rows.size() ? &rows[course + 1][wale] : nullptr;
+      const GridLoop& loop = rows[course][wale];
+      const GridLoop* below = course > 0 ? &rows[course - 1][wale] : nullptr;
+      const GridLoop* above = course + 1 < rows.size() ? &rows[course + 1][wale] : nullptr;
       expect_in_order(reading, loop, below ? below->loop : -1, above ? above->loop : -1);
-      if (below) expect_pulled_through(reading, loop, *below, layout.from_left[course] == layout.from_left[course - 1]);
+      if (below) expect_pulled_through(reading, loop, *below, grid.from_left[course] == grid.from_left[course - 1]);
       EXPECT_TRUE(!below || !above || reading.between(loop.loop, -1).empty());
     }
-  expect_cast_on(reading, layout);
-  expect_bind_off(reading, layout);
+  expect_cast_on(reading, grid);
+  expect_bind_off(reading, grid);
   EXPECT_EQ(reading.among_edges(), 0);
 }
 
@@ -156,8 +157,8 @@ TEST(CheckCrossings, FindsAllThatACompiledFabricDemandsAndNoneInItsMirrorImage) 
     const CompiledChart made = compiled(chart, 12);
     const Topology found = check_crossings(made.fabric, made.crossings, made.fabric.points);
     // A yarn's end and a selvedge have no loop beyond.
-    const long sides = made.layout.form == Form::tube ? 2 * made.layout.wales * (made.layout.courses - 1) - 1
-                                                      : 2 * (made.layout.wales - 1) * (made.layout.courses - 1);
+    const long sides = made.chart.form == Form::tube ? 2 * made.chart.wales() * (made.chart.course_count() - 1) - 1
+                                                     : 2 * (made.chart.wales() - 1) * (made.chart.course_count() - 1);
     EXPECT_EQ(found.expected, sides);
     EXPECT_TRUE(found.intact()) << found.found << " of " << found.expected;
     Points mirrored = made.fabric.points;
@@ -168,7 +169,8 @@ TEST(CheckCrossings, FindsAllThatACompiledFabricDemandsAndNoneInItsMirrorImage) 
 
 /// Pushes one leg of the loop at this place through the head of the loop below.
 Points with_a_leg_pushed_through(const CompiledChart& made, std::size_t course, std::size_t wale, std::size_t leg) {
-  const PlacedLoop &child = made.layout.rows[course][wale], &parent = made.layout.rows[course - 1][wale];
+  const LoopGrid grid = grid_of(made.chart, made.graph, made.arrangement);
+  const GridLoop &child = grid.rows[course][wale], &parent = grid.rows[course - 1][wale];
   Reading reading(made, made.fabric.points);
   const double at = reading.between(child.loop, parent.loop)[leg].here;
   Points pushed = made.fabric.points;

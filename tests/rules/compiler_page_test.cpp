@@ -21,7 +21,8 @@ TEST(CompilerPage, ShowsWhatTheCompilerPrints) {
   ASSERT_TRUE(chart);
   const Program program = passes::lower_chart(*chart, say).value();
   const StitchGraph graph = passes::knit(program, say).value();
-  const Layout layout = passes::place(graph, *chart, say).value();
+  const double d = chart->yarns.front().material.diameter;
+  const Arrangement layout = passes::arrange(graph, large_enough(d, longest_stitch(graph)), d);
   EXPECT_TRUE(say.all().empty());
   EXPECT_NE(page.find("```yaml\n" + source.text + fence), std::string::npos);
   for (const std::string& shown :

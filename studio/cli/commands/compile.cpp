@@ -37,14 +37,13 @@ std::optional<ChartOverrides> overrides(const CompileOptions& options, Sources& 
   return changes;
 }
 
-std::string show(const CompiledChart& compiled, const std::string& noun) {
-  if (noun == "chart") return print(compiled.chart);
-  return noun == "program" ? print(compiled.program) : noun == "graph" ? print(compiled.graph) : print(compiled.layout);
-}
-
-std::string show(const CompiledKnitout& compiled, const std::string& noun) {
+std::string show(const Compiled& compiled, const std::string& noun) {
   if (noun == "program") return print(compiled.program);
   return noun == "graph" ? print(compiled.graph) : print(compiled.arrangement);
+}
+
+std::string show(const CompiledChart& compiled, const std::string& noun) {
+  return noun == "chart" ? print(compiled.chart) : show(static_cast<const Compiled&>(compiled), noun);
 }
 
 /// What a compiled file is asked for; its exit code.
