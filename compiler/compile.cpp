@@ -107,15 +107,9 @@ std::optional<Compiled> common(std::optional<C> compiled) {
   return std::move(static_cast<Compiled&>(*compiled));
 }
 
-KnitoutOptions knitout_options(const ParsedScene& scene) {
-  KnitoutOptions options{scene.crop, {}};
-  options.stitch_lengths.otherwise = scene.overrides.stitch_length.value_or(0);
-  return options;
-}
-
 std::optional<Compiled> compile_pattern(const Source& source, const ParsedScene& scene, Diagnostics& say) {
   if (holds_knitout(source))
-    return common(compile_knitout(source, knitout_options(scene), scene.overrides.material.value_or(Material{}),
+    return common(compile_knitout(source, scene.knitout, scene.overrides.material.value_or(Material{}),
                                   scene.segments_per_stitch, say));
   return common(compile_chart(source, scene.overrides, scene.segments_per_stitch, say));
 }
@@ -126,7 +120,7 @@ std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagn
   auto parsed = parse_scene(source, say);
   if (!parsed) return std::nullopt;
   const Source* pattern = read_pattern(*parsed, sources, say);
-  if (!pattern) return std::nullopt;
+  if (!pattern || !suits(*parsed, holds_knitout(*pattern), say)) return std::nullopt;
   auto compiled = compile_pattern(*pattern, *parsed, say);
   if (!compiled) return std::nullopt;
 

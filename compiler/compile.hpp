@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "compiler/knitout_options.hpp"
 #include "compiler/passes.hpp"
 
 namespace wale {
@@ -38,11 +39,6 @@ bool holds_knitout(const Source&);
 struct Knitted {
   Program program;
   StitchGraph graph;
-};
-
-struct KnitoutOptions {
-  Crop crop;
-  StitchLengths stitch_lengths;  ///< where they differ from what is assumed
 };
 
 /// A knitout file to its stitch graph. Gives what there is even if an error was reported: faulty lines are left out,

@@ -134,6 +134,19 @@ TEST(Scene, HasDefaultsForWhatItDoesNotSay) {
   EXPECT_TRUE(std::holds_alternative<RungeKutta>(scene->stages[0].solver));
 }
 
+TEST(Scene, MayGiveStitchLengthsBySettingAsAMapOrAsTheCommandLineDoes) {
+  for (const char* lengths : {"{otherwise: 9 mm, 6: 9.5 mm, 25/40: 8 mm}", "\"9 mm, 6 = 9.5 mm, 25/40 = 8 mm\""}) {
+    Sources sources;
+    const auto scene = parse(sources, std::string("scene: 1\nfabric: {pattern: a.k, stitch_length: ") + lengths +
+                                          "}\neffects: {bend: }\nstages: [{name: relax, duration: 1 s}]\n");
+    ASSERT_TRUE(scene);
+    EXPECT_DOUBLE_EQ(scene->knitout.stitch_lengths.at("5"), 9e-3);
+    EXPECT_DOUBLE_EQ(scene->knitout.stitch_lengths.at("6"), 9.5e-3);
+    EXPECT_DOUBLE_EQ(scene->knitout.stitch_lengths.at("25/40"), 8e-3);
+    EXPECT_FALSE(scene->overrides.stitch_length);
+  }
+}
+
 TEST(Scene, GravityMayBeAVector) {
   Sources sources;
   const auto scene = parse(sources,
