@@ -81,6 +81,8 @@ inline constexpr auto front_codes = std::to_array<CodeInfo>({
      "fabric: {pattern: cable.k, crop: {courses: 1-20}}   # of a chart: wales: 12, courses: 20"},
     {"S008", Severity::error, "a stitch setting that no program has, in a table of stitch lengths",
      "stitch_length: {otherwise: 9 mm, 6: 9.5 mm, 25/40: 8 mm}"},
+    {"S009", Severity::error, "a scene gives a material to a yarn or a carrier that its pattern does not have",
+     "fabric: {pattern: plating.k, yarn: acrylic_16_2, yarns: {2: paper-as-printed}}"},
 });
 
 /// All codes, the front's first.

@@ -64,32 +64,40 @@ Knitted knit_knitout(const Source& source, const KnitoutOptions& options, Diagno
 
 namespace {
 
-std::vector<Material> yarn_of_each(const std::vector<std::string>& carriers, const Material& yarn) {
-  std::vector<Material> yarns(carriers.size(), yarn);
-  for (std::size_t i = 0; i < carriers.size(); ++i) yarns[i].name += " on " + carriers[i];
+/// By carrier, each with a name of its own, since several may hold the same yarn.
+std::vector<Material> carrier_materials(const Program& program, const YarnMaterials& given, Diagnostics& say) {
+  std::vector<Material> yarns = materials_of(program.carriers, given, default_materials(program), "carrier", say);
+  for (std::size_t i = 0; i < yarns.size(); ++i) {
+    const std::string& carrier = program.carriers[i];
+    yarns[i].name = (yarns[i].name == carrier ? "yarn" : yarns[i].name) + " on " + carrier;
+  }
   return yarns;
+}
+
+/// Contact diameter of the widest yarn that is knitted, and length of the longest stitch, m.
+std::pair<double, double> largest(const StitchGraph& graph, const std::vector<Material>& yarns) {
+  double diameter = 0, length = 0;
+  for (const Loop& loop : graph.loops) {
+    diameter = std::max(diameter, yarns[static_cast<std::size_t>(loop.carrier)].diameter);
+    length = std::max(length, loop.stitch_length);
+  }
+  return {diameter, length};
 }
 
 }  // namespace
 
 std::optional<CompiledKnitout> compile_knitout(const Source& source, const KnitoutOptions& options,
-                                               const Material& yarn, int segments_per_stitch, Diagnostics& say) {
+                                               const YarnMaterials& given, int segments_per_stitch, Diagnostics& say) {
   const std::size_t errors = say.error_count();
   auto [program, graph] = knit_knitout(source, options, say);
+  const std::vector<Material> yarns = carrier_materials(program, given, say);
   if (say.error_count() > errors) return std::nullopt;
-  double longest = 0;
-  const Loop* shortest = nullptr;
-  for (const Loop& loop : graph.loops) {
-    longest = std::max(longest, loop.stitch_length);
-    if (!shortest || loop.stitch_length < shortest->stitch_length) shortest = &loop;
-  }
-  if (shortest && jams(shortest->stitch_length, yarn))
-    warn_of_jamming(shortest->stitch_length, yarn, yarn.name, shortest->span, say);
-  const double diameter = yarn.diameter;
+  warn_of_jamming(graph, yarns, say);
+  const auto [diameter, longest] = largest(graph, yarns);
   const LoopSize size = large_enough(diameter, longest);
   Arrangement arrangement = passes::arrange(graph, size, diameter);
   const Curves curves = passes::draw(graph, arrangement, size, diameter);
-  Fabric fabric = passes::fit(curves, yarn_of_each(program.carriers, yarn), segments_per_stitch);
+  Fabric fabric = passes::fit(curves, yarns, segments_per_stitch);
   auto crossings = demanded_crossings(graph, fabric);
   passes::prove(graph, fabric, crossings, say);
   if (say.error_count() > errors) return std::nullopt;
@@ -109,8 +117,7 @@ std::optional<Compiled> common(std::optional<C> compiled) {
 
 std::optional<Compiled> compile_pattern(const Source& source, const ParsedScene& scene, Diagnostics& say) {
   if (holds_knitout(source))
-    return common(compile_knitout(source, scene.knitout, scene.overrides.material.value_or(Material{}),
-                                  scene.segments_per_stitch, say));
+    return common(compile_knitout(source, scene.knitout, scene.overrides.materials, scene.segments_per_stitch, say));
   return common(compile_chart(source, scene.overrides, scene.segments_per_stitch, say));
 }
 

@@ -6,6 +6,7 @@
 
 #include "compiler/knitout_options.hpp"
 #include "compiler/passes.hpp"
+#include "compiler/yarn_materials.hpp"
 
 namespace wale {
 
@@ -45,9 +46,10 @@ struct Knitted {
 /// and faulty instructions done as far as they make sense.
 Knitted knit_knitout(const Source&, const KnitoutOptions&, Diagnostics&);
 
-/// A knitout file to a fabric, whatever it knits, every carrier with `yarn`. Nothing if an error was reported; it is
-/// one if the fabric drawn has not exactly the crossings that the stitch graph demands.
-std::optional<CompiledKnitout> compile_knitout(const Source&, const KnitoutOptions&, const Material& yarn,
+/// A knitout file to a fabric, whatever it knits, its carriers with the yarns `given` where those say otherwise than
+/// its headers. Nothing if an error was reported; it is one if the fabric drawn has not exactly the crossings that the
+/// stitch graph demands.
+std::optional<CompiledKnitout> compile_knitout(const Source&, const KnitoutOptions&, const YarnMaterials& given,
                                                int segments_per_stitch, Diagnostics&);
 
 /// A scene file, and the chart or knitout file that it names (read through `sources`, relative to the scene file), to a

@@ -26,7 +26,7 @@ struct ParsedScene {
   std::string name;
   std::string pattern_path;  ///< of the chart or knitout file, resolved against the scene file's folder
   Span pattern_span;
-  ChartOverrides overrides;              ///< of a chart
+  ChartOverrides overrides;              ///< of a chart; its materials are for the carriers of a knitout file too
   KnitoutOptions knitout;                ///< of a knitout file
   std::vector<PatternKey> pattern_keys;  ///< those given, in the order read
   int segments_per_stitch = 12;

@@ -40,7 +40,7 @@ class FabricReader {
  public:
   FabricReader(const YamlNode& node, ParsedScene& scene, Diagnostics& say)
       : fields_(node, "a fabric",
-                {"pattern", "crop", "wales", "courses", "yarn", "stitch_length", "segments_per_stitch"}, say),
+                {"pattern", "crop", "wales", "courses", "yarn", "yarns", "stitch_length", "segments_per_stitch"}, say),
         scene_(scene),
         say_(say) {}
 
@@ -51,7 +51,9 @@ class FabricReader {
       scene_.pattern_span = pattern->span;
     }
     read_size();
-    if (const YamlNode* yarn = fields_.find("yarn")) scene_.overrides.material = read_material(*yarn, "yarn", say_);
+    if (const YamlNode* yarn = fields_.find("yarn"))
+      scene_.overrides.materials.otherwise = read_material(*yarn, "yarn", say_);
+    if (const YamlNode* yarns = fields_.find("yarns")) read_yarns(*yarns);
     if (const YamlNode* length = fields_.find("stitch_length")) read_lengths(*length);
     if (const YamlNode* segments = fields_.find("segments_per_stitch")) read_segments(*segments);
   }
@@ -78,6 +80,17 @@ class FabricReader {
       scene_.overrides.courses = read_count(*courses, "the number of courses", 1, limits::most_courses, say_);
       only_for_charts("\"courses\"", "keep a part of the file: `crop: {courses: 1-20}`", *courses);
     }
+  }
+
+  void read_yarns(const YamlNode& node) {
+    if (node.kind != YamlNode::Kind::map) {
+      say_.error("Y004", node.span, "\"yarns\" must be a map from yarns or carriers to materials",
+                 "write `yarns: {1: acrylic_16_2}`, or `yarn: acrylic_16_2` for all");
+      return;
+    }
+    for (const YamlEntry& entry : node.entries)
+      if (auto material = read_material(entry.value, entry.key, say_))
+        scene_.overrides.materials.by_name.push_back({entry.key, std::move(*material), entry.span});
   }
 
   void read_lengths(const YamlNode& node) {

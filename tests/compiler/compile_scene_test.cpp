@@ -102,6 +102,23 @@ TEST(CompileScene, KnitsEverySettingOfAMachineWithItsOwnStitchLength) {
   for (int loop = 0; loop < 6; ++loop) EXPECT_NEAR(knitted[loop], loop < 3 ? 8e-3 : 9e-3, longest[loop]) << loop;
 }
 
+TEST(CompileScene, GivesSomeYarnsOfAChartTheirOwnMaterials) {
+  Sources sources;
+  Diagnostics say;
+  sources.add("stripes.yaml",
+              "knit: 1\nwales: 4\nyarns: {a: , b: , c: paper-as-printed}\nbands:\n"
+              "  - {stitch: jersey, courses: 6, stitch_length: 2 cm, yarn: [a, b, c]}\n");
+  const auto scene =
+      compile_scene(*sources.add("scene.yaml",
+                                 "scene: 1\nfabric: {pattern: stripes.yaml, yarns: {b: {contact_diameter: 0.3 mm}}}\n"
+                                 "effects: {stretch: , bend: }\nstages: [{name: relax, duration: 1 s}]\n"),
+                    sources, say);
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->fabric.materials.at(0), Material{});
+  EXPECT_EQ(scene->fabric.materials.at(1), (Material{.name = "b", .diameter = 0.3e-3}));
+  EXPECT_EQ(scene->fabric.materials.at(2).name, "paper-as-printed");
+}
+
 TEST(CompileScene, SaysWhatIsWrongAndGivesNothing) {
   Sources sources;
   Diagnostics say;
