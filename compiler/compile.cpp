@@ -44,6 +44,7 @@ bool holds_knitout(const Source& source) {
 Knitted knit_knitout(const Source& source, const KnitoutOptions& options, Diagnostics& say) {
   const std::size_t errors = say.error_count();
   Program program = passes::parse_knitout(source, say);
+  program.plating = options.plating;
   passes::set_stitch_lengths(program, merged(options.stitch_lengths, default_stitch_lengths(program)));
   passes::check_program(program, say);
   std::optional<StitchGraph> graph;

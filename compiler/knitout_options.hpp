@@ -2,6 +2,7 @@
 #pragma once
 
 #include "compiler/crop.hpp"
+#include "compiler/program.hpp"
 #include "compiler/stitch_lengths.hpp"
 
 namespace wale {
@@ -9,6 +10,7 @@ namespace wale {
 struct KnitoutOptions {
   Crop crop;
   StitchLengths stitch_lengths;  ///< where they differ from what is assumed
+  Plating plating = Plating::first_in_front;
 };
 
 }  // namespace wale

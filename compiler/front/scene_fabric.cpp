@@ -39,8 +39,10 @@ StitchLengths read_table(const YamlNode& node, Diagnostics& say) {
 class FabricReader {
  public:
   FabricReader(const YamlNode& node, ParsedScene& scene, Diagnostics& say)
-      : fields_(node, "a fabric",
-                {"pattern", "crop", "wales", "courses", "yarn", "yarns", "stitch_length", "segments_per_stitch"}, say),
+      : fields_(
+            node, "a fabric",
+            {"pattern", "crop", "wales", "courses", "yarn", "yarns", "plating", "stitch_length", "segments_per_stitch"},
+            say),
         scene_(scene),
         say_(say) {}
 
@@ -54,6 +56,7 @@ class FabricReader {
     if (const YamlNode* yarn = fields_.find("yarn"))
       scene_.overrides.materials.otherwise = read_material(*yarn, "yarn", say_);
     if (const YamlNode* yarns = fields_.find("yarns")) read_yarns(*yarns);
+    if (const YamlNode* plating = fields_.find("plating")) read_plating(*plating);
     if (const YamlNode* length = fields_.find("stitch_length")) read_lengths(*length);
     if (const YamlNode* segments = fields_.find("segments_per_stitch")) read_segments(*segments);
   }
@@ -91,6 +94,12 @@ class FabricReader {
     for (const YamlEntry& entry : node.entries)
       if (auto material = read_material(entry.value, entry.key, say_))
         scene_.overrides.materials.by_name.push_back({entry.key, std::move(*material), entry.span});
+  }
+
+  void read_plating(const YamlNode& node) {
+    if (const auto word = read_word(node, "the plating", {plating_words.begin(), plating_words.end()}, say_))
+      scene_.knitout.plating = Plating{static_cast<std::uint8_t>(*word)};
+    only_for_knitout("\"plating\"", "leave it out: a chart has one yarn in each stitch", node);
   }
 
   void read_lengths(const YamlNode& node) {

@@ -27,12 +27,12 @@ struct Made {
   std::optional<CompiledKnitout> fabric;
 };
 
-std::unique_ptr<Made> make(const std::string& name, const std::string& text) {
+std::unique_ptr<Made> make(const std::string& name, const std::string& text, const YarnMaterials& yarns = {},
+                           Plating plating = Plating::first_in_front) {
   auto made = std::make_unique<Made>();
   made->source = {name, text};
-  KnitoutOptions options;
-  options.stitch_lengths.otherwise = 7.6e-3;
-  made->fabric = compile_knitout(made->source, options, {}, 12, made->say);
+  const KnitoutOptions options{{}, {7.6e-3, {}}, plating};
+  made->fabric = compile_knitout(made->source, options, yarns, 12, made->say);
   return made;
 }
 
@@ -173,6 +173,32 @@ TEST(KnitoutFabric, TucksLieBehindTheLoopsTheyHangWith) {
     return points[points.size() / 2].z();
   };
   EXPECT_GT(middle(held) - middle(tuck), 0.8 * d);
+}
+
+/// A row of rib: even needles on the front bed, odd ones on the back bed.
+std::string rib_row(int from, int to, const std::string& carriers) {
+  std::string text;
+  const int step = from <= to ? 1 : -1;
+  for (int i = from; i != to + step; i += step)
+    text += std::string("knit ") + (step > 0 ? "+ " : "- ") + (i % 2 ? "b" : "f") + std::to_string(i) + " " + carriers +
+            "\n";
+  return text;
+}
+
+TEST(KnitoutFabric, OfPlatedYarnsHasTheFirstNamedInFrontOrBehindOnBothBeds) {
+  const std::string rib = lines({rib_row(0, 5, "1 2"), rib_row(5, 0, "1 2"), rib_row(0, 5, "1 2")});
+  for (const Plating plating : {Plating::first_in_front, Plating::first_behind}) {
+    const auto made = make("plated.k", rib, {}, plating);
+    ASSERT_TRUE(made->fabric);
+    const std::vector<Loop>& loops = made->fabric->graph.loops;
+    for (int i = 0; i < static_cast<int>(loops.size()); i += 2) {
+      ASSERT_EQ(loops[i].instruction, loops[i + 1].instruction);
+      const int first = loops[i].carrier == 0 ? i : i + 1, second = i + (i + 1) - first;
+      const auto a = points_of(made->fabric->fabric, first), b = points_of(made->fabric->fabric, second);
+      const double ahead = a[a.size() / 2].z() - b[b.size() / 2].z();
+      EXPECT_GT((plating == Plating::first_in_front ? 1 : -1) * ahead, 0.8 * d) << i;
+    }
+  }
 }
 
 TEST(KnitoutFabric, IsRefusedWhereACrossingIsWrong) {
