@@ -92,6 +92,9 @@ std::optional<CompiledKnitout> compile_knitout(const Source& source, const Knito
   const std::size_t errors = say.error_count();
   auto [program, graph] = knit_knitout(source, options, say);
   const std::vector<Material> yarns = carrier_materials(program, given, say);
+  if (say.error_count() == errors && graph.loops.empty())
+    say.error(codes::empty_chart, {&source, 0, 0}, "the program makes no loop, so that there is nothing to draw",
+              "bring a carrier in and knit: `in 1`, `knit + f0 1`");
   if (say.error_count() > errors) return std::nullopt;
   warn_of_jamming(graph, yarns, say);
   const auto [diameter, longest] = largest(graph, yarns);
