@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/source.hpp"
+#include "compiler/yarn_materials.hpp"
 #include "sim/fabric.hpp"
 
 namespace wale {
@@ -52,7 +53,7 @@ struct Chart {
 struct ChartOverrides {
   std::optional<int> wales, courses;    ///< one-band charts stretch; others are refused if they do not tile
   std::optional<double> stitch_length;  ///< m
-  std::optional<Material> material;     ///< for every yarn
+  YarnMaterials materials;
 };
 
 /// The picture of a chart, last line the first course, with course numbers and yarns; what `--show chart` prints.

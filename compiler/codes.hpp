@@ -77,6 +77,12 @@ inline constexpr auto front_codes = std::to_array<CodeInfo>({
      "- {name: pull, duration: 8 s, pull: {along: course, to: 60 %}}"},
     {"S005", Severity::error, "nothing acts on the yarns in a stage", "effects: {stretch: , bend: , contact: }"},
     {"S006", Severity::warning, "so few segments a stitch that the spline cuts corners", "segments_per_stitch: 12"},
+    {"S007", Severity::error, "a scene asks a chart for what only a knitout file has, or the other way about",
+     "fabric: {pattern: cable.k, crop: {courses: 1-20}}   # of a chart: wales: 12, courses: 20"},
+    {"S008", Severity::error, "a stitch setting that no program has, in a table of stitch lengths",
+     "stitch_length: {otherwise: 9 mm, 6: 9.5 mm, 25/40: 8 mm}"},
+    {"S009", Severity::error, "a scene gives a material to a yarn or a carrier that its pattern does not have",
+     "fabric: {pattern: plating.k, yarn: acrylic_16_2, yarns: {2: paper-as-printed}}"},
 });
 
 /// All codes, the front's first.

@@ -8,6 +8,33 @@
 #include "compiler/passes/program_codes.hpp"
 
 namespace wale {
+namespace {
+
+/// Contact diameter of the widest yarn that is knitted, m.
+double widest_yarn(const StitchGraph& graph, const std::vector<Material>& yarns) {
+  double diameter = 0;
+  for (const Loop& loop : graph.loops)
+    diameter = std::max(diameter, yarns[static_cast<std::size_t>(loop.carrier)].diameter);
+  return diameter;
+}
+
+/// From a stitch graph to a fabric with every crossing that it demands. Its gauge is not known yet.
+std::optional<Compiled> draw(std::string name, Program program, StitchGraph graph, const std::vector<Material>& yarns,
+                             const passes::Edges& edges, int segments_per_stitch, Diagnostics& say) {
+  const std::size_t errors = say.error_count();
+  const double diameter = widest_yarn(graph, yarns);
+  const LoopSize size = large_enough(diameter, longest_stitch(graph));
+  Arrangement arrangement = passes::arrange(graph, size, diameter);
+  const Curves curves = passes::draw(graph, arrangement, size, diameter, edges);
+  Fabric fabric = passes::fit(curves, yarns, segments_per_stitch);
+  auto crossings = demanded_crossings(graph, arrangement, fabric);
+  passes::prove(graph, fabric, crossings, say);
+  if (say.error_count() > errors) return std::nullopt;
+  return Compiled{std::move(name), std::move(program),  std::move(graph), std::move(arrangement), std::move(fabric),
+                  Gauge{},         std::move(crossings)};
+}
+
+}  // namespace
 
 std::optional<CompiledChart> compile_chart(const Source& source, const ChartOverrides& overrides,
                                            int segments_per_stitch, Diagnostics& say) {
@@ -25,22 +52,13 @@ std::optional<CompiledChart> compile_chart(Chart chart, int segments_per_stitch,
   if (!graph) return std::nullopt;
   passes::check_graph(*graph, say);
   if (say.failed()) return std::nullopt;
-  *graph = passes::tie_ends(*graph);
-  double diameter = 0;
-  for (const ChartYarn& yarn : chart.yarns) diameter = std::max(diameter, yarn.material.diameter);
-  const LoopSize size = large_enough(diameter, longest_stitch(*graph));
-  Arrangement arrangement = passes::arrange(*graph, size, diameter);
   const passes::Edges edges{chart.start == Edge::cast_on, chart.end == Edge::bind_off,
                             static_cast<int>(chart.yarns.size())};
-  const Curves curves = passes::draw(*graph, arrangement, size, diameter, edges);
-  Fabric fabric = passes::fit(curves, chart.materials(), segments_per_stitch);
-  auto crossings = demanded_crossings(*graph, arrangement, fabric);
-  passes::prove(*graph, fabric, crossings, say);
-  if (say.failed()) return std::nullopt;
-  Gauge gauge = gauge_of(chart, *graph, fabric);
-  Compiled compiled{chart.name,        std::move(*program), std::move(*graph),   std::move(arrangement),
-                    std::move(fabric), std::move(gauge),    std::move(crossings)};
-  return CompiledChart{std::move(compiled), std::move(chart)};
+  auto compiled = draw(chart.name, std::move(*program), passes::tie_ends(*graph), chart.materials(), edges,
+                       segments_per_stitch, say);
+  if (!compiled) return std::nullopt;
+  compiled->gauge = gauge_of(chart, compiled->graph, compiled->fabric);
+  return CompiledChart{std::move(*compiled), std::move(chart)};
 }
 
 bool holds_knitout(const Source& source) {
@@ -50,6 +68,7 @@ bool holds_knitout(const Source& source) {
 Knitted knit_knitout(const Source& source, const KnitoutOptions& options, Diagnostics& say) {
   const std::size_t errors = say.error_count();
   Program program = passes::parse_knitout(source, say);
+  program.plating = options.plating;
   passes::set_stitch_lengths(program, merged(options.stitch_lengths, default_stitch_lengths(program)));
   passes::check_program(program, say);
   std::optional<StitchGraph> graph;
@@ -70,49 +89,38 @@ Knitted knit_knitout(const Source& source, const KnitoutOptions& options, Diagno
 
 namespace {
 
-std::vector<Material> yarn_of_each(const std::vector<std::string>& carriers, const Material& yarn) {
-  std::vector<Material> yarns(carriers.size(), yarn);
-  for (std::size_t i = 0; i < carriers.size(); ++i) yarns[i].name += " on " + carriers[i];
+/// By carrier, each with a name of its own, since several may hold the same yarn.
+std::vector<Material> carrier_materials(const Program& program, const YarnMaterials& given, Diagnostics& say) {
+  std::vector<Material> yarns = materials_of(program.carriers, given, default_materials(program), "carrier", say);
+  for (std::size_t i = 0; i < yarns.size(); ++i) {
+    const std::string& carrier = program.carriers[i];
+    yarns[i].name = (yarns[i].name == carrier ? "yarn" : yarns[i].name) + " on " + carrier;
+  }
   return yarns;
 }
 
 }  // namespace
 
-std::optional<Compiled> compile_knitout(const Source& source, const KnitoutOptions& options, const Material& yarn,
+std::optional<Compiled> compile_knitout(const Source& source, const KnitoutOptions& options, const YarnMaterials& given,
                                         int segments_per_stitch, Diagnostics& say) {
   const std::size_t errors = say.error_count();
   auto [program, graph] = knit_knitout(source, options, say);
+  const std::vector<Material> yarns = carrier_materials(program, given, say);
+  if (say.error_count() == errors && graph.loops.empty())
+    say.error(codes::empty_chart, {&source, 0, 0}, "the program makes no loop, so that there is nothing to draw",
+              "bring a carrier in and knit: `in 1`, `knit + f0 1`");
   if (say.error_count() > errors) return std::nullopt;
-  const auto shortest = std::min_element(graph.loops.begin(), graph.loops.end(), [](const Loop& a, const Loop& b) {
-    return a.stitch_length < b.stitch_length;
-  });
-  if (shortest != graph.loops.end() && jams(shortest->stitch_length, yarn))
-    warn_of_jamming(shortest->stitch_length, yarn, yarn.name, shortest->span, say);
-  const double diameter = yarn.diameter;
-  const LoopSize size = large_enough(diameter, longest_stitch(graph));
-  Arrangement arrangement = passes::arrange(graph, size, diameter);
-  const Curves curves = passes::draw(graph, arrangement, size, diameter, {});
-  Fabric fabric = passes::fit(curves, yarn_of_each(program.carriers, yarn), segments_per_stitch);
-  auto crossings = demanded_crossings(graph, arrangement, fabric);
-  passes::prove(graph, fabric, crossings, say);
-  if (say.error_count() > errors) return std::nullopt;
-  Gauge gauge = gauge_of(graph, fabric);
-  return Compiled{source.name,       std::move(program), std::move(graph),    std::move(arrangement),
-                  std::move(fabric), std::move(gauge),   std::move(crossings)};
+  warn_of_jamming(graph, yarns, say);
+  auto compiled = draw(source.name, std::move(program), std::move(graph), yarns, {}, segments_per_stitch, say);
+  if (compiled) compiled->gauge = gauge_of(compiled->graph, compiled->fabric);
+  return compiled;
 }
 
 namespace {
 
-KnitoutOptions knitout_options(const ParsedScene& scene) {
-  KnitoutOptions options{scene.crop, {}};
-  options.stitch_lengths.otherwise = scene.overrides.stitch_length.value_or(0);
-  return options;
-}
-
 std::optional<Compiled> compile_pattern(const Source& source, const ParsedScene& scene, Diagnostics& say) {
   if (holds_knitout(source))
-    return compile_knitout(source, knitout_options(scene), scene.overrides.material.value_or(Material{}),
-                           scene.segments_per_stitch, say);
+    return compile_knitout(source, scene.knitout, scene.overrides.materials, scene.segments_per_stitch, say);
   return compile_chart(source, scene.overrides, scene.segments_per_stitch, say);
 }
 
@@ -122,7 +130,7 @@ std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagn
   auto parsed = parse_scene(source, say);
   if (!parsed) return std::nullopt;
   const Source* pattern = read_pattern(*parsed, sources, say);
-  if (!pattern) return std::nullopt;
+  if (!pattern || !suits(*parsed, holds_knitout(*pattern), say)) return std::nullopt;
   auto compiled = compile_pattern(*pattern, *parsed, say);
   if (!compiled) return std::nullopt;
 

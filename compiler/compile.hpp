@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "compiler/knitout_options.hpp"
 #include "compiler/passes.hpp"
+#include "compiler/yarn_materials.hpp"
 
 namespace wale {
 
@@ -36,18 +38,14 @@ struct Knitted {
   StitchGraph graph;
 };
 
-struct KnitoutOptions {
-  Crop crop;
-  StitchLengths stitch_lengths;  ///< where they differ from what is assumed
-};
-
 /// A knitout file to its stitch graph. Gives what there is even if an error was reported: faulty lines are left out,
 /// and faulty instructions done as far as they make sense.
 Knitted knit_knitout(const Source&, const KnitoutOptions&, Diagnostics&);
 
-/// A knitout file to a fabric, whatever it knits, every carrier with `yarn`. Nothing if an error was reported; it is
-/// one if the fabric drawn has not exactly the crossings that the stitch graph demands.
-std::optional<Compiled> compile_knitout(const Source&, const KnitoutOptions&, const Material& yarn,
+/// A knitout file to a fabric, whatever it knits, its carriers with the yarns `given` where those say otherwise than
+/// its headers. Nothing if an error was reported; it is one if the fabric drawn has not exactly the crossings that the
+/// stitch graph demands.
+std::optional<Compiled> compile_knitout(const Source&, const KnitoutOptions&, const YarnMaterials& given,
                                         int segments_per_stitch, Diagnostics&);
 
 /// A scene file, and the chart or knitout file that it names (read through `sources`, relative to the scene file), to a

@@ -82,10 +82,15 @@ std::optional<int> read_count(const YamlNode& node, std::string_view what, int l
 std::optional<double> read_quantity(const YamlNode& node, std::string_view what, const Dimension& dimension,
                                     Range range, Diagnostics& say) {
   if (!is_scalar(node, what, say)) return std::nullopt;
-  const std::optional<double> value = parse_quantity(node.text, dimension, node.span, say);
+  return read_quantity(node.text, node.span, what, dimension, range, say);
+}
+
+std::optional<double> read_quantity(std::string_view text, Span span, std::string_view what, const Dimension& dimension,
+                                    Range range, Diagnostics& say) {
+  const std::optional<double> value = parse_quantity(text, dimension, span, say);
   if (!value || (*value >= range.least && *value <= range.most)) return value;
   const std::string unit = dimension.unit == "1" ? "" : fmt::format(" {}", dimension.unit);
-  say.error("U005", node.span, fmt::format("{} cannot be {}", what, node.text),
+  say.error("U005", span, fmt::format("{} cannot be {}", what, text),
             fmt::format("write {} from {:g}{} to {:g}{}, as in `{}`", dimension.noun, range.least, unit, range.most,
                         unit, dimension.example));
   return std::nullopt;

@@ -40,6 +40,9 @@ struct Range {
 std::optional<std::string> read_text(const YamlNode&, std::string_view what, Diagnostics&);
 std::optional<int> read_count(const YamlNode&, std::string_view what, int least, int most, Diagnostics&);
 std::optional<double> read_quantity(const YamlNode&, std::string_view what, const Dimension&, Range, Diagnostics&);
+/// The same from a text that is no value of its own.
+std::optional<double> read_quantity(std::string_view text, Span, std::string_view what, const Dimension&, Range,
+                                    Diagnostics&);
 /// The place of the scalar in `words`; reports any other word, with those allowed.
 std::optional<std::size_t> read_word(const YamlNode&, std::string_view what, const std::vector<std::string_view>& words,
                                      Diagnostics&);

@@ -17,4 +17,15 @@ void warn_of_jamming(double stitch_length, const Material& yarn, std::string_vie
                   limits::jamming_ratio, limits::jamming_ratio * yarn.diameter * 1e3));
 }
 
+void warn_of_jamming(const StitchGraph& graph, const std::vector<Material>& yarns, Diagnostics& say) {
+  std::vector<const Loop*> shortest(yarns.size(), nullptr);
+  for (const Loop& loop : graph.loops) {
+    const Loop*& of_carrier = shortest[static_cast<std::size_t>(loop.carrier)];
+    if (loop.stitch_length > 0 && (!of_carrier || loop.stitch_length < of_carrier->stitch_length)) of_carrier = &loop;
+  }
+  for (std::size_t i = 0; i < yarns.size(); ++i)
+    if (shortest[i] && jams(shortest[i]->stitch_length, yarns[i]))
+      warn_of_jamming(shortest[i]->stitch_length, yarns[i], yarns[i].name, shortest[i]->span, say);
+}
+
 }  // namespace wale

@@ -52,8 +52,8 @@ StitchGraph tie_ends(const StitchGraph&);
 Arrangement arrange(const StitchGraph&, const LoopSize&, double diameter);
 /// One smooth curve a yarn, through the right side of each loop. `edges` are for graphs of charts.
 Curves draw(const StitchGraph&, const Arrangement&, const LoopSize&, double diameter, const Edges& edges);
-/// Equal arc length, spline through the points; `segments_per_stitch` at least 8. The fabric has `yarns` as materials,
-/// and after them their edge forms, in the same order.
+/// Equal arc length, spline through the points; `segments_per_stitch` at least 8. Pieces count `yarns`, and after them
+/// their edge forms in the same order; the fabric has those of which there is a piece.
 Fabric fit(const Curves&, const std::vector<Material>& yarns, int segments_per_stitch);
 /// Whether the fabric has every crossing that its graph demands; an error at the first loop that is not placed right.
 void prove(const StitchGraph&, const Fabric&, const std::vector<Crossing>&, Diagnostics&);

@@ -1,8 +1,10 @@
 /// What a V-bed machine is told, one needle at a time.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/source.hpp"
@@ -31,6 +33,10 @@ enum class Op : std::uint8_t {
   extension
 };
 enum class Direction : std::uint8_t { none, increasing, decreasing };
+
+/// Where the first-named of several carriers lies that knit as one, seen from the face; knitout does not say.
+enum class Plating : std::uint8_t { first_in_front, first_behind };
+inline constexpr std::array<std::string_view, 2> plating_words{"first_in_front", "first_behind"};  ///< by Plating
 
 /// The cell of a chart for which an instruction stands; -1 in a machine's own program.
 struct ChartCell {
@@ -65,6 +71,7 @@ struct Program {
   std::string rails;                    ///< the carriers as written, where several share a rail: "L1,L2;R1"
   std::vector<Header> headers;          ///< all others: yarn hints (`Yarn-1`), `Width`, `X-...`
   std::vector<std::string> extensions;  ///< lines of extension operations as written: "x-stitch-number 5"
+  Plating plating = Plating::first_in_front;
 };
 
 inline bool on_slider(const Needle& at) { return at.bed == Bed::front_slider || at.bed == Bed::back_slider; }

@@ -72,7 +72,7 @@ struct HeldLoops {
 
 struct StitchGraph {
   std::vector<std::string> carriers;
-  std::vector<Loop> loops;  ///< in the order they were made, all yarns
+  std::vector<Loop> loops;  ///< in the order they were made, all yarns; those that knit as one front to back
   std::vector<YarnPath> yarns;
   std::vector<HeldLoops> on_needles;  ///< by bed, then from left to right
   int widest = 0;                     ///< needles that held loops at the same time, at most

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "compiler/front/knitout_codes.hpp"
+#include "compiler/fields.hpp"
+#include "compiler/front/knitout_parts.hpp"
 #include "compiler/front/limits.hpp"
 #include "compiler/machines.hpp"
-#include "compiler/units.hpp"
 
 namespace wale {
 namespace {
@@ -18,16 +18,20 @@ constexpr double kniterate_step = 0.06;  // of the middle length, by number
 constexpr int kniterate_middle = 5;
 constexpr std::string_view kniterate_numbers = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
-std::string_view trim(std::string_view text) {
-  const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
-  return text.substr(first, text.find_last_not_of(" \t") + 1 - first);
+/// The place of `part` of `text`, which is found in `span` unless it was written with escapes; quotes do not matter.
+Span place_of(std::string_view part, std::string_view text, const Span& span) {
+  if (!span.source) return span;
+  const std::size_t at = std::string_view(span.source->text).substr(span.begin, span.end - span.begin).find(text);
+  if (at == text.npos) return span;
+  const auto begin = static_cast<std::uint32_t>(span.begin + at + static_cast<std::size_t>(part.data() - text.data()));
+  return {span.source, begin, begin + static_cast<std::uint32_t>(part.size())};
 }
 
-std::optional<double> parse_length(std::string_view text, const Span& span, Diagnostics& say) {
-  const auto length = parse_quantity(text, dimensions::length, span, say);
-  if (!length || (*length >= limits::least_stitch_length && *length <= limits::most_stitch_length)) return length;
-  say.error("U005", span, fmt::format("a stitch length of {} cannot be meant", text), "write a length like 9 mm");
-  return std::nullopt;
+/// A number or one character, as behind `x-stitch-number`, or two numbers, as behind `stitch`.
+bool is_setting(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash != text.npos) return number_in(text.substr(0, slash)) && number_in(text.substr(slash + 1));
+  return text.size() == 1 || number_in(text);
 }
 
 }  // namespace
@@ -54,15 +58,38 @@ StitchLengths merged(const StitchLengths& given, const StitchLengths& assumed) {
   return all;
 }
 
+bool add_setting(StitchLengths& lengths, std::string_view setting, double length, Span place, Diagnostics& say) {
+  if (setting == "otherwise") {
+    lengths.otherwise = length;
+    return true;
+  }
+  if (!is_setting(setting)) {
+    say.error("S008", place, fmt::format("{} is no stitch setting", quoted(setting)),
+              "write it as the program does: 5 or A of `x-stitch-number`, 25/40 of `stitch 25 40`; `otherwise` is for "
+              "all others");
+    return false;
+  }
+  lengths.by_setting[std::string(setting)] = length;
+  return true;
+}
+
+std::optional<double> read_stitch_length(std::string_view text, Span span, Diagnostics& say) {
+  return read_quantity(text, span, "a stitch length", dimensions::length,
+                       {limits::least_stitch_length, limits::most_stitch_length}, say);
+}
+
 std::optional<StitchLengths> parse_stitch_lengths(std::string_view text, Span span, Diagnostics& say) {
   StitchLengths lengths;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t comma = std::min(text.find(',', at), text.size());
     const std::string_view part = text.substr(at, comma - at);
     const std::size_t equals = part.find('=');
-    const auto length = parse_length(trim(equals == part.npos ? part : part.substr(equals + 1)), span, say);
-    if (!length) return std::nullopt;
-    (equals == part.npos ? lengths.otherwise : lengths.by_setting[std::string(trim(part.substr(0, equals)))]) = *length;
+    const bool listed = equals != part.npos;
+    const std::string_view setting = listed ? trimmed(part.substr(0, equals)) : "otherwise";
+    const std::string_view length_text = trimmed(listed ? part.substr(equals + 1) : part);
+    const auto length = read_stitch_length(length_text, place_of(length_text, text, span), say);
+    const Span place = listed ? place_of(setting, text, span) : span;
+    if (!length || !add_setting(lengths, setting, *length, place, say)) return std::nullopt;
     at = comma + 1;
   }
   return lengths;

@@ -30,6 +30,14 @@ StitchLengths default_stitch_lengths(const Program&);
 StitchLengths merged(const StitchLengths& given, const StitchLengths& assumed);
 
 /// "9 mm" for all loops, or by setting: "5 = 9 mm, 6 = 9.5 mm"; both together with the length for the others first.
-std::optional<StitchLengths> parse_stitch_lengths(std::string_view text, Span, Diagnostics&);
+/// What is wrong is told at its own place if `text` stands as it is in `span`.
+std::optional<StitchLengths> parse_stitch_lengths(std::string_view text, Span span, Diagnostics&);
+
+/// Adds a length in m; `otherwise` stands for all settings that are not listed. False, and an error at `place`, if no
+/// program has such a setting.
+bool add_setting(StitchLengths&, std::string_view setting, double length, Span place, Diagnostics&);
+
+/// The length of one stitch as text, within sensible limits.
+std::optional<double> read_stitch_length(std::string_view text, Span, Diagnostics&);
 
 }  // namespace wale

@@ -19,6 +19,17 @@ bool is_chart(const YamlNode& root, Diagnostics& say) {
   return false;
 }
 
+void set_materials(std::vector<ChartYarn>& yarns, const YarnMaterials& given, Diagnostics& say) {
+  std::vector<std::string> names;
+  std::vector<Material> own;
+  for (const ChartYarn& yarn : yarns) {
+    names.push_back(yarn.name);
+    own.push_back(yarn.material);
+  }
+  const std::vector<Material> chosen = materials_of(names, given, std::move(own), "yarn", say);
+  for (std::size_t i = 0; i < yarns.size(); ++i) yarns[i].material = chosen[i];
+}
+
 std::optional<Chart> read_chart(const Source& source, const ChartOverrides& overrides, Diagnostics& say) {
   const std::size_t errors_before = say.error_count();
   const std::optional<YamlNode> root = parse_yaml(source, say);
@@ -31,9 +42,7 @@ std::optional<Chart> read_chart(const Source& source, const ChartOverrides& over
   const Legend legend = read_legend(*root, say);
   ChartYarns yarns = read_yarns(*root, say);
   const Patterns patterns = read_patterns(*root, legend, say);
-  if (overrides.material) {
-    for (ChartYarn& yarn : yarns.yarns) yarn.material = *overrides.material;
-  }
+  set_materials(yarns.yarns, overrides.materials, say);
   fields.require("bands", "add `bands:` with one line a band, as in `- {stitch: jersey, courses: 12}`");
   std::vector<Band> bands = read_bands(*root, {legend, patterns, yarns}, say);
   if (say.error_count() > errors_before) return std::nullopt;

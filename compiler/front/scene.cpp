@@ -7,13 +7,10 @@
 
 #include "compiler/fields.hpp"
 #include "compiler/front/limits.hpp"
-#include "compiler/front/materials.hpp"
 #include "compiler/front/scene_parts.hpp"
 
 namespace wale {
 namespace {
-
-constexpr int least_segments = 8, sound_segments = 10, most_segments = 200;
 
 bool is_scene(const YamlNode& root, Diagnostics& say) {
   const YamlNode* version = root.find("scene");
@@ -28,54 +25,6 @@ bool is_scene(const YamlNode& root, Diagnostics& say) {
     say.error("S001", start, "this is not a scene", "begin a scene with `scene: 1`");
   }
   return false;
-}
-
-std::string beside(const std::string& file, const std::string& path) {
-  return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
-}
-
-std::optional<IntRange> read_range(const YamlNode* node, Diagnostics& say) {
-  if (!node) return std::nullopt;
-  const auto range = parse_range(node->text);
-  if (!range)
-    say.error("Y007", node->span, fmt::format("\"{}\" is not a range", node->text),
-              "write the first and the last, as in 5-20");
-  return range;
-}
-
-void read_fabric(const YamlNode& node, ParsedScene& scene, Diagnostics& say) {
-  const Fields fields(node, "a fabric",
-                      {"pattern", "crop", "wales", "courses", "yarn", "stitch_length", "segments_per_stitch"}, say);
-  if (const YamlNode* pattern = fields.require("pattern", "name a chart, as in `pattern: ../patterns/jersey.yaml`")) {
-    scene.pattern_path = beside(node.span.source->name, read_text(*pattern, "a pattern", say).value_or(""));
-    scene.pattern_span = pattern->span;
-  }
-  if (const YamlNode* crop = fields.find("crop")) {
-    const Fields part(*crop, "a crop", {"courses", "needles"}, say);
-    scene.crop = {read_range(part.find("courses"), say), read_range(part.find("needles"), say)};
-  }
-  if (const YamlNode* wales = fields.find("wales")) {
-    scene.overrides.wales = read_count(*wales, "the number of wales", 1, limits::most_wales, say);
-  }
-  if (const YamlNode* courses = fields.find("courses")) {
-    scene.overrides.courses = read_count(*courses, "the number of courses", 1, limits::most_courses, say);
-  }
-  if (const YamlNode* yarn = fields.find("yarn")) scene.overrides.material = read_material(*yarn, "yarn", say);
-  if (const YamlNode* length = fields.find("stitch_length")) {
-    scene.overrides.stitch_length = read_quantity(*length, "a stitch length", dimensions::length,
-                                                  {limits::least_stitch_length, limits::most_stitch_length}, say);
-  }
-  if (const YamlNode* segments = fields.find("segments_per_stitch")) {
-    const auto count = read_count(*segments, "the number of segments a stitch", least_segments, most_segments, say);
-    scene.segments_per_stitch = count.value_or(scene.segments_per_stitch);
-    if (count && *count < sound_segments)
-      say.warning(
-          "S006", segments->span,
-          fmt::format("with {} segments a stitch the spline cuts corners: yarns start as near as a quarter of a "
-                      "diameter",
-                      *count),
-          fmt::format("use {} or more, or expect a first step that pushes hard", sound_segments));
-  }
 }
 
 void read_gauge(const YamlNode& node, ParsedScene& scene, Diagnostics& say) {
@@ -114,6 +63,19 @@ std::optional<ParsedScene> parse_scene(const Source& source, Diagnostics& say) {
   std::optional<ParsedScene> scene = read_scene(source, say);
   say.order_by_place(before);
   return scene;
+}
+
+bool suits(const ParsedScene& scene, bool knitout, Diagnostics& say) {
+  const std::size_t before = say.all().size(), errors_before = say.error_count();
+  for (const PatternKey& key : scene.pattern_keys) {
+    if (key.knitout == knitout) continue;
+    say.error("S007", key.span,
+              fmt::format("{} is for {}, and this pattern is {}", key.what, knitout ? "charts" : "knitout files",
+                          knitout ? "a knitout file" : "a chart"),
+              std::string(key.hint));
+  }
+  say.order_by_place(before);
+  return say.error_count() == errors_before;
 }
 
 const Source* read_pattern(const ParsedScene& scene, Sources& sources, Diagnostics& say) {

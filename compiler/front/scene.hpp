@@ -3,22 +3,32 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/chart.hpp"
-#include "compiler/crop.hpp"
 #include "compiler/diagnostic.hpp"
+#include "compiler/knitout_options.hpp"
 #include "sim/scene.hpp"
 
 namespace wale {
+
+/// A key of `fabric` that patterns of one kind take and the others do not.
+struct PatternKey {
+  bool knitout = false;   ///< for knitout files; else for charts
+  std::string_view what;  ///< "`crop`"
+  std::string_view hint;  ///< what to write instead where the pattern is of the other kind
+  Span span;              ///< of its value
+};
 
 /// A Scene less its fabric.
 struct ParsedScene {
   std::string name;
   std::string pattern_path;  ///< of the chart or knitout file, resolved against the scene file's folder
   Span pattern_span;
-  ChartOverrides overrides;
-  Crop crop;  ///< of a knitout file
+  ChartOverrides overrides;              ///< of a chart; its materials are for the carriers of a knitout file too
+  KnitoutOptions knitout;                ///< of a knitout file
+  std::vector<PatternKey> pattern_keys;  ///< those given, in the order read
   int segments_per_stitch = 12;
   double thickness = 0;  ///< 2r of sigma = F / (2r S_R), m; 0: twice the contact diameter
   std::vector<Stage> stages;
@@ -26,6 +36,10 @@ struct ParsedScene {
 
 /// Nothing if an error was reported.
 std::optional<ParsedScene> parse_scene(const Source&, Diagnostics&);
+
+/// Whether the scene asks only for what its pattern, a knitout file or a chart, can give; an error at each key that
+/// does not suit it.
+bool suits(const ParsedScene&, bool knitout, Diagnostics&);
 
 /// The text of the scene's chart. Null, with a report at the place that names it, if it cannot be read.
 const Source* read_pattern(const ParsedScene&, Sources&, Diagnostics&);

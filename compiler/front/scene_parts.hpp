@@ -3,11 +3,14 @@
 
 #include <vector>
 
+#include "compiler/front/scene.hpp"
 #include "compiler/yaml.hpp"
 #include "sim/scene.hpp"
 
 namespace wale {
 
+/// `fabric`: the pattern, and what is asked of it.
+void read_fabric(const YamlNode&, ParsedScene&, Diagnostics&);
 /// Adds what `node` names to `effects`; one that is there already is replaced.
 void read_effects(const YamlNode& node, std::vector<EffectSpec>& effects, Diagnostics&);
 /// `quasi_static` or `runge_kutta`, alone or as a map with settings.

@@ -69,6 +69,20 @@ void fit_yarn(const YarnCurve& curve, int segments_per_stitch, Fabric& fabric) {
   fabric.yarns.push_back(yarn);
 }
 
+/// A carrier that never knits must not pass for the thinnest or the thickest yarn of the fabric.
+void drop_unused_materials(Fabric& fabric) {
+  std::vector<int> kept(fabric.materials.size(), -1);
+  for (const Segment& segment : fabric.segments) kept[static_cast<std::size_t>(segment.material)] = 0;
+  std::vector<Material> materials;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept[i] < 0) continue;
+    kept[i] = static_cast<int>(materials.size());
+    materials.push_back(fabric.materials[i]);
+  }
+  for (Segment& segment : fabric.segments) segment.material = kept[static_cast<std::size_t>(segment.material)];
+  fabric.materials = std::move(materials);
+}
+
 }  // namespace
 
 Fabric fit(const Curves& curves, const std::vector<Material>& yarns, int segments_per_stitch) {
@@ -77,6 +91,7 @@ Fabric fit(const Curves& curves, const std::vector<Material>& yarns, int segment
   fabric.materials = yarns;
   for (const Material& yarn : yarns) fabric.materials.push_back(at_edge(yarn));
   for (const YarnCurve& curve : curves.yarns) fit_yarn(curve, segments_per_stitch, fabric);
+  drop_unused_materials(fabric);
   return fabric;
 }
 

@@ -21,7 +21,7 @@ bool makes_or_moves_loops(const Instruction& at) {
 }  // namespace
 
 KnittingMachine::KnittingMachine(const Program& program)
-    : state_(program), beds_(program), ends_(program.carriers.size()) {
+    : plating_(program.plating), state_(program), beds_(program), ends_(program.carriers.size()) {
   graph_.carriers = program.carriers;
   graph_.loops.reserve(
       static_cast<std::size_t>(std::count_if(program.code.begin(), program.code.end(), [](const Instruction& at) {
@@ -115,6 +115,12 @@ void KnittingMachine::miss(const Instruction& at, YarnEnd& end) {
   pass(at, end);
 }
 
+/// Of several yarns that knit as one, in the order in which they lie from front to back.
+std::vector<int> KnittingMachine::by_depth(std::vector<int> carriers) const {
+  if (plating_ == Plating::first_behind) std::reverse(carriers.begin(), carriers.end());
+  return carriers;
+}
+
 void KnittingMachine::stitch(const Instruction& at) {
   LoopStack& stack = beds_.at(at.needle);
   LoopStack through;
@@ -123,12 +129,11 @@ void KnittingMachine::stitch(const Instruction& at) {
   if (at.op == Op::knit) release(stack, !at.carriers.empty());
   if (at.op != Op::tuck) stack.clear();
   const auto first = static_cast<int>(graph_.loops.size());
-  for (const int carrier : at.carriers) {
+  for (const int carrier : by_depth(at.carriers)) {
     stack.push_back(static_cast<int>(graph_.loops.size()));
     make_loop(at, carrier, through);
   }
   for (const int loop : through) pulled_through_[static_cast<std::size_t>(loop)] = true;
-  // Of several yarns that knit as one the first named lies foremost.
   const auto made = static_cast<std::ptrdiff_t>(graph_.loops.size()) - first;
   if (on_back(at.needle)) std::reverse(stack.end() - made, stack.end());
 }

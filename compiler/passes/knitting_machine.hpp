@@ -48,12 +48,14 @@ class KnittingMachine {
   void pass(const Instruction&, YarnEnd&) const;
   void miss(const Instruction&, YarnEnd&);
   void stitch(const Instruction&);
+  std::vector<int> by_depth(std::vector<int> carriers) const;
   void move(const LoopStack&, const Needle& to);
   void release(const LoopStack&, bool knitted);
   void drag(const Instruction&);
   void make_loop(const Instruction&, int carrier, std::vector<int> through);
   void begin_yarn(int carrier, YarnEnd&);
 
+  Plating plating_;
   MachineState state_;
   NeedleBeds beds_;
   std::vector<YarnEnd> ends_;         // by carrier

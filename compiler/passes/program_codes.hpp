@@ -51,7 +51,8 @@ struct ProgramCode {
 };
 
 inline constexpr auto program_codes = std::to_array<ProgramCode>({
-    {empty_chart, Severity::error, "a chart has no stitches", "wales: 12\nbands:\n  - {stitch: jersey, courses: 13}"},
+    {empty_chart, Severity::error, "a chart or a machine's program has no stitches",
+     "wales: 12\nbands:\n  - {stitch: jersey, courses: 13}"},
     {tube_wales, Severity::error, "a tube has an odd number of wales, or fewer than four: half of them go on each bed",
      "form: tube\nwales: 20"},
     {too_many_yarns, Severity::error, "a chart has more yarns than the machine has carriers",

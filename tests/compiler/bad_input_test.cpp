@@ -7,8 +7,7 @@
 #include <sstream>
 
 #include "compiler/codes.hpp"
-#include "compiler/front/scene.hpp"
-#include "compiler/passes.hpp"
+#include "compiler/compile.hpp"
 
 namespace wale {
 namespace {
@@ -35,13 +34,10 @@ std::vector<std::string> expected_in(const std::string& text) {
 
 /// Reads a golden file as the command line would.
 void read(const Source& source, Sources& sources, Diagnostics& say) {
-  if (source.name.find(".scene.") == std::string::npos) {
+  if (source.name.find(".scene.") == std::string::npos)
     passes::parse_chart(source, {}, say);
-    return;
-  }
-  const auto scene = parse_scene(source, say);
-  if (!scene) return;
-  if (const Source* chart = read_pattern(*scene, sources, say)) passes::parse_chart(*chart, scene->overrides, say);
+  else
+    compile_scene(source, sources, say);
 }
 
 /// The first line of a printed diagnostic, without the folder.

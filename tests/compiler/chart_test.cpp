@@ -255,7 +255,7 @@ TEST(Chart, IsStretchedByItsScene) {
   overrides.wales = 3;
   overrides.courses = 3;
   overrides.stitch_length = 8e-3;
-  overrides.material = Material{.name = "other", .diameter = 0.4e-3};
+  overrides.materials.otherwise = Material{.name = "other", .diameter = 0.4e-3};
   const auto parsed = parse(text, overrides);
   EXPECT_EQ(drawn(*parsed.chart), (Rows{"pkp", "kpk", "pkp"}));
   EXPECT_DOUBLE_EQ(parsed.chart->courses[0][0].stitch_length, 8e-3);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <string>
 
 #include "compiler/compile.hpp"
@@ -73,6 +75,48 @@ solver: {quasi_static: {}}
   for (const Diagnostic& one : say.all()) EXPECT_NE(one.severity, Severity::error) << print(one);
   ASSERT_TRUE(scene);
   EXPECT_DOUBLE_EQ(scene->gauge.thickness, 2 * Material{}.diameter);
+}
+
+/// A scene of `program` with `keys` besides the pattern in its `fabric`.
+std::optional<Scene> compile_program(Sources& sources, const std::string& program, const std::string& keys,
+                                     Diagnostics& say) {
+  sources.add("program.k", program);
+  const std::string text = "scene: 1\nfabric: {pattern: program.k, " + keys +
+                           "}\neffects: {stretch: , bend: }\nstages: [{name: relax, duration: 1 s}]\n";
+  return compile_scene(*sources.add("scene.yaml", text), sources, say);
+}
+
+TEST(CompileScene, KnitsEverySettingOfAMachineWithItsOwnStitchLength) {
+  Sources sources;
+  Diagnostics say;
+  const auto scene = compile_program(sources,
+                                     ";!knitout-2\n;;Carriers: 1\nin 1\nx-stitch-number 4\nknit + f0 1\nknit + f1 1\n"
+                                     "knit + f2 1\nx-stitch-number 6\nknit - f2 1\nknit - f1 1\nknit - f0 1\nout 1\n",
+                                     "stitch_length: {otherwise: 8 mm, 6: 9 mm}", say);
+  ASSERT_TRUE(scene);
+  std::map<int, double> knitted, longest;
+  for (const Segment& segment : scene->fabric.segments) {
+    knitted[segment.stitch] += segment.knitted;
+    longest[segment.stitch] = std::max(longest[segment.stitch], segment.knitted);
+  }
+  for (int loop = 0; loop < 6; ++loop) EXPECT_NEAR(knitted[loop], loop < 3 ? 8e-3 : 9e-3, longest[loop]) << loop;
+}
+
+TEST(CompileScene, GivesSomeYarnsOfAChartTheirOwnMaterials) {
+  Sources sources;
+  Diagnostics say;
+  sources.add("stripes.yaml",
+              "knit: 1\nwales: 4\nyarns: {a: , b: , c: paper-as-printed}\nbands:\n"
+              "  - {stitch: jersey, courses: 6, stitch_length: 2 cm, yarn: [a, b, c]}\n");
+  const auto scene =
+      compile_scene(*sources.add("scene.yaml",
+                                 "scene: 1\nfabric: {pattern: stripes.yaml, yarns: {b: {contact_diameter: 0.3 mm}}}\n"
+                                 "effects: {stretch: , bend: }\nstages: [{name: relax, duration: 1 s}]\n"),
+                    sources, say);
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->fabric.materials.at(0), Material{});
+  EXPECT_EQ(scene->fabric.materials.at(1), (Material{.name = "b", .diameter = 0.3e-3}));
+  EXPECT_EQ(scene->fabric.materials.at(2).name, "paper-as-printed");
 }
 
 TEST(CompileScene, SaysWhatIsWrongAndGivesNothing) {

@@ -83,6 +83,22 @@ TEST(Knit, MakesOneLoopACarrierWhenSeveralKnitAsOne) {
   EXPECT_EQ(through(knit("in a b\nknit + b0 a b\nknit - b0 a b\n"), 2), (Loops{0, 1}));
 }
 
+TEST(Knit, LaysTheFirstOfSeveralCarriersBehindIfAsked) {
+  for (const std::string bed : {"f", "b"}) {
+    Program program = make_program("in a b\nknit + " + bed + "0 a b\nknit - " + bed + "0 a b\n");
+    program.plating = Plating::first_behind;
+    Diagnostics say;
+    const auto graph = passes::knit(program, say);
+    ASSERT_TRUE(graph);
+    const Loops parents = through(*graph, 2);
+    ASSERT_EQ(parents.size(), 2u);
+    EXPECT_EQ(graph->loops.at(static_cast<std::size_t>(parents[0])).carrier, 1) << "b in front";
+    EXPECT_EQ(graph->loops.at(static_cast<std::size_t>(parents[1])).carrier, 0);
+    EXPECT_EQ(graph->on_needles.at(0).loops, (Loops{2, 3}));
+    EXPECT_EQ(graph->loops[3].carrier, 0);
+  }
+}
+
 TEST(Knit, DropsALoopThatIsKnitWithoutYarn) {
   const StitchGraph graph = knit("in a\nknit + f0 a\namiss f0\ndrop f0\nknit - f0 a\n");
   EXPECT_TRUE(through(graph, 1).empty());

@@ -8,6 +8,8 @@
 #include "compiler/compile.hpp"
 #include "compiler/demand.hpp"
 #include "sim/clasps.hpp"
+#include "sim/results/hdf5.hpp"
+#include "sim/results/picture.hpp"
 #include "sim/spline.hpp"
 #include "tests/support/shared_files.hpp"
 #include "tests/support/table.hpp"
@@ -26,12 +28,12 @@ struct Made {
   std::optional<Compiled> fabric;
 };
 
-std::unique_ptr<Made> make(const std::string& name, const std::string& text) {
+std::unique_ptr<Made> make(const std::string& name, const std::string& text, const YarnMaterials& yarns = {},
+                           Plating plating = Plating::first_in_front) {
   auto made = std::make_unique<Made>();
   made->source = {name, text};
-  KnitoutOptions options;
-  options.stitch_lengths.otherwise = 7.6e-3;
-  made->fabric = compile_knitout(made->source, options, {}, 12, made->say);
+  const KnitoutOptions options{{}, {7.6e-3, {}}, plating};
+  made->fabric = compile_knitout(made->source, options, yarns, 12, made->say);
   return made;
 }
 
@@ -195,6 +197,80 @@ TEST(KnitoutFabric, TucksLieBehindTheLoopsTheyHangWith) {
   EXPECT_GT(middle(held) - middle(tuck), 0.8 * d);
 }
 
+/// A row of rib: even needles on the front bed, odd ones on the back bed.
+std::string rib_row(int from, int to, const std::string& carriers) {
+  std::string text;
+  const int step = from <= to ? 1 : -1;
+  for (int i = from; i != to + step; i += step)
+    text += std::string("knit ") + (step > 0 ? "+ " : "- ") + (i % 2 ? "b" : "f") + std::to_string(i) + " " + carriers +
+            "\n";
+  return text;
+}
+
+TEST(KnitoutFabric, OfPlatedYarnsHasTheFirstNamedInFrontOrBehindOnBothBeds) {
+  const std::string rib = lines({rib_row(0, 5, "1 2"), rib_row(5, 0, "1 2"), rib_row(0, 5, "1 2")});
+  for (const Plating plating : {Plating::first_in_front, Plating::first_behind}) {
+    const auto made = make("plated.k", rib, {}, plating);
+    ASSERT_TRUE(made->fabric);
+    const std::vector<Loop>& loops = made->fabric->graph.loops;
+    for (int i = 0; i < static_cast<int>(loops.size()); i += 2) {
+      ASSERT_EQ(loops[i].instruction, loops[i + 1].instruction);
+      const int first = loops[i].carrier == 0 ? i : i + 1, second = i + (i + 1) - first;
+      const auto a = points_of(made->fabric->fabric, first), b = points_of(made->fabric->fabric, second);
+      const double ahead = a[a.size() / 2].z() - b[b.size() / 2].z();
+      EXPECT_GT((plating == Plating::first_in_front ? 1 : -1) * ahead, 0.8 * d) << i;
+    }
+  }
+}
+
+YarnMaterials of_two_diameters(double first, double second) {
+  YarnMaterials yarns;
+  yarns.by_name.push_back({"1", {.name = "one", .diameter = first}, {}});
+  yarns.by_name.push_back({"2", {.name = "two", .diameter = second}, {}});
+  return yarns;
+}
+
+TEST(KnitoutFabric, OfPlatedRibHasInEverySegmentTheMaterialOfItsCarrier) {
+  const auto made = make("plated.k", lines({rib_row(0, 5, "1 2"), rib_row(5, 0, "1 2"), rib_row(0, 5, "2")}),
+                         of_two_diameters(0.3e-3, 0.5e-3));
+  ASSERT_TRUE(made->fabric);
+  const StitchGraph& graph = made->fabric->graph;
+  const Fabric& fabric = made->fabric->fabric;
+  ASSERT_EQ(fabric.yarns.size(), graph.yarns.size());
+  std::set<int> carriers;
+  for (int i = 0; i < fabric.segment_count(); ++i) {
+    const int carrier = graph.yarns[static_cast<std::size_t>(fabric.segment(i).yarn)].carrier;
+    const int loop = fabric.segment(i).stitch;
+    EXPECT_EQ(fabric.material_of(i).name, carrier == 0 ? "one on 1" : "two on 2") << i;
+    EXPECT_EQ(fabric.material_of(i).diameter, carrier == 0 ? 0.3e-3 : 0.5e-3) << i;
+    EXPECT_TRUE(loop < 0 || graph.loops[static_cast<std::size_t>(loop)].carrier == carrier) << i;
+    carriers.insert(carrier);
+  }
+  EXPECT_EQ(carriers, (std::set<int>{0, 1}));
+  Results results;
+  results.scene.fabric = fabric;
+  const std::string path = testing::TempDir() + "/plated_rib.h5";
+  write_hdf5(results, path);
+  const Fabric stored = read_hdf5(path).scene.fabric;
+  fs::remove(path);
+  EXPECT_EQ(stored.materials, fabric.materials);
+  for (int i = 0; i < fabric.segment_count(); ++i) EXPECT_EQ(stored.segment(i).material, fabric.segment(i).material);
+  const std::string picture = fabric_svg(fabric, fabric.points, {});
+  for (const char* name : {"one on 1", "two on 2"}) EXPECT_NE(picture.find(name), std::string::npos) << name;
+}
+
+TEST(KnitoutFabric, IsDrawnForTheThickestYarnThatIsKnitted) {
+  const std::string one = lines({row("knit", 'f', 0, 3), row("knit", 'f', 3, 0)});
+  const auto wale_of = [](const Made& made) { return (feet(made, 1).at - feet(made, 0).at).norm(); };
+  const auto thin = make("thin.k", one, of_two_diameters(0.3e-3, 0.6e-3)),
+             thick = make("thick.k", one, of_two_diameters(0.6e-3, 0.3e-3)),
+             both = make("both.k", one + row("knit", 'f', 0, 3, "2"), of_two_diameters(0.3e-3, 0.6e-3));
+  ASSERT_TRUE(thin->fabric && thick->fabric && both->fabric);
+  EXPECT_EQ(thin->fabric->fabric.materials.size(), 1u) << "carrier 2 knits nothing";
+  EXPECT_LT(wale_of(*thin), 0.99 * wale_of(*thick));
+  EXPECT_NEAR(wale_of(*both), wale_of(*thick), 1e-6 * d);
+}
+
 TEST(KnitoutFabric, IsRefusedWhereACrossingIsWrong) {
   auto made = make("jersey.k", lines({row("knit", 'f', 0, 3), row("knit", 'f', 3, 0)}));
   ASSERT_TRUE(made->fabric);
@@ -229,6 +305,23 @@ TEST(KnitoutFabric, IsWarnedOfAYarnTooThickForItsStitches) {
   Diagnostics say;
   EXPECT_TRUE(compile_knitout(source, options, {}, 12, say));
   EXPECT_TRUE(say.counts().count("C020"));
+}
+
+TEST(KnitoutFabric, AsksOfEachYarnForItselfWhetherItIsTooThick) {
+  const auto made = make("two.k", lines({row("knit", 'f', 0, 3, "1"), row("knit", 'f', 3, 0, "2")}),
+                         of_two_diameters(0.3e-3, 0.6e-3));
+  ASSERT_TRUE(made->fabric);
+  EXPECT_EQ(made->say.counts().at("C020"), 1u);
+  const auto& all = made->say.all();
+  const auto warning = std::find_if(all.begin(), all.end(), [](const Diagnostic& one) { return one.code == "C020"; });
+  EXPECT_EQ(locate(warning->span).line, 11) << "the first loop of carrier 2";
+  EXPECT_NE(warning->message.find("two on 2"), std::string::npos) << warning->message;
+}
+
+TEST(KnitoutFabric, IsRefusedWhereNothingIsKnitted) {
+  const auto made = make("nothing.k", head + "in 1\nout 1\n");
+  EXPECT_FALSE(made->fabric);
+  EXPECT_EQ(made->say.counts().count("L001"), 1u);
 }
 
 class KnitoutExample : public testing::TestWithParam<std::string> {};

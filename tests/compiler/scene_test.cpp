@@ -56,7 +56,7 @@ TEST(Scene, ReadsTheFabric) {
   EXPECT_EQ(scene->pattern_path, "patterns/jersey.yaml");
   EXPECT_EQ(scene->overrides.wales, 10);
   EXPECT_EQ(scene->overrides.courses, 11);
-  EXPECT_EQ(scene->overrides.material->name, "paper-as-printed");
+  EXPECT_EQ(scene->overrides.materials.otherwise->name, "paper-as-printed");
   EXPECT_DOUBLE_EQ(*scene->overrides.stitch_length, 7.5e-3);
   EXPECT_EQ(scene->segments_per_stitch, 16);
   EXPECT_DOUBLE_EQ(scene->thickness, 1.048e-3);
@@ -127,11 +127,24 @@ TEST(Scene, HasDefaultsForWhatItDoesNotSay) {
   ASSERT_TRUE(scene);
   EXPECT_EQ(scene->name, "swatch");
   EXPECT_EQ(scene->pattern_path, "a.yaml");
-  EXPECT_FALSE(scene->overrides.wales || scene->overrides.material || scene->overrides.stitch_length);
+  EXPECT_FALSE(scene->overrides.wales || scene->overrides.materials.otherwise || scene->overrides.stitch_length);
   EXPECT_EQ(scene->segments_per_stitch, 12);
   EXPECT_EQ(scene->thickness, 0);
   EXPECT_EQ(scene->stages[0].effects.size(), 1u);
   EXPECT_TRUE(std::holds_alternative<RungeKutta>(scene->stages[0].solver));
+}
+
+TEST(Scene, MayGiveStitchLengthsBySettingAsAMapOrAsTheCommandLineDoes) {
+  for (const char* lengths : {"{otherwise: 9 mm, 6: 9.5 mm, 25/40: 8 mm}", "\"9 mm, 6 = 9.5 mm, 25/40 = 8 mm\""}) {
+    Sources sources;
+    const auto scene = parse(sources, std::string("scene: 1\nfabric: {pattern: a.k, stitch_length: ") + lengths +
+                                          "}\neffects: {bend: }\nstages: [{name: relax, duration: 1 s}]\n");
+    ASSERT_TRUE(scene);
+    EXPECT_DOUBLE_EQ(scene->knitout.stitch_lengths.at("5"), 9e-3);
+    EXPECT_DOUBLE_EQ(scene->knitout.stitch_lengths.at("6"), 9.5e-3);
+    EXPECT_DOUBLE_EQ(scene->knitout.stitch_lengths.at("25/40"), 8e-3);
+    EXPECT_FALSE(scene->overrides.stitch_length);
+  }
 }
 
 TEST(Scene, GravityMayBeAVector) {

@@ -29,6 +29,19 @@ TEST(StitchLengths, RefuseWhatIsNoLength) {
   for (const char* text : {"", "9", "9 kg", "9 km", "-9 mm", "5 =", "9 mm,"}) EXPECT_FALSE(parse(text, 1)) << text;
 }
 
+TEST(StitchLengths, RefuseASettingThatNoProgramHas) {
+  for (const char* text : {"= 9 mm", "five = 9 mm", "25- = 9 mm", "25/ = 9 mm", "9 mm, 25/4x = 9 mm"})
+    EXPECT_FALSE(parse(text, 1)) << text;
+}
+
+TEST(StitchLengths, SayAtItsOwnPlaceWhatIsWrong) {
+  const Source source{"--stitch-length", "9 mm, 6 = 9 kg"};
+  Diagnostics say;
+  EXPECT_FALSE(parse_stitch_lengths(source.text, {&source, 0, 14}, say));
+  EXPECT_EQ(say.all().at(0).span.begin, 10u);
+  EXPECT_EQ(say.all().at(0).span.end, 14u);
+}
+
 TEST(StitchLengths, AreThreePitchesWhereNothingIsSaid) {
   Program program;
   EXPECT_EQ(default_stitch_lengths(program).at("5"), 0) << "without a machine or a gauge nothing is known";

@@ -76,6 +76,25 @@ TEST(Compile, CropsAKnitoutFileAndSetsItsStitchLengths) {
   EXPECT_EQ(wale({"compile", program, "--show", "graph", "--courses", "9"}).exit_code, 1) << "nothing is left";
 }
 
+TEST(Compile, LaysTheFirstOfSeveralCarriersInFrontOrBehind) {
+  const Scratch scratch;
+  const std::string program =
+      scratch.write("plated.k", ";!knitout-2\n;;Carriers: 1 2\nin 1\nin 2\nknit + f0 1 2\nout 1\nout 2\n");
+  const auto first_loop = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"compile", program, "--show", "graph"});
+    const std::string shown = wale(words).out;
+    return shown.substr(0, shown.find('\n'));
+  };
+  EXPECT_EQ(first_loop({}), "loop 0: knit + f0 yarn 1 pass 0 held");
+  EXPECT_EQ(first_loop({"--plating", "first_in_front"}), "loop 0: knit + f0 yarn 1 pass 0 held");
+  EXPECT_EQ(first_loop({"--plating", "first_behind"}), "loop 0: knit + f0 yarn 2 pass 0 held");
+  EXPECT_EQ(wale({"check", program, "--plating", "first_behind"}).exit_code, 0);
+  EXPECT_EQ(wale({"check", program, "--plating", "behind"}).exit_code, 1);
+  EXPECT_EQ(
+      wale({"compile", scratch.write("rib.yaml", jersey), "--show", "chart", "--plating", "first_behind"}).exit_code,
+      1);
+}
+
 TEST(Compile, RefusesASuffixThatIsNotThereYet) {
   const Scratch scratch;
   const Answer answer = wale({"compile", scratch.write("rib.yaml", jersey), "-o", scratch.path("rib.stl")});

@@ -82,6 +82,7 @@ void add_check(CLI::App& app, int& exit_code) {
   command->add_flag("--loops", options->loops, "With --json: list every loop too");
   command->add_option("--courses", options->knitout.courses, "Of a knitout file, only these: 5-20");
   command->add_option("--needles", options->knitout.needles, "Of a knitout file, only loops made on these: 5-20");
+  add_plating(*command, options->knitout);
   command->callback([options, &exit_code] { exit_code = check(*options); });
 }
 

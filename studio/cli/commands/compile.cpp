@@ -26,8 +26,9 @@ std::optional<ChartOverrides> overrides(const CompileOptions& options, Sources& 
   const auto read = read_knitout_options(options.knitout, sources);
   if (!read) return std::nullopt;
   const auto& courses = read->crop.courses;
-  if (read->crop.needles || (courses && courses->first != courses->last) || !read->stitch_lengths.by_setting.empty()) {
-    complain("wale compile", "only a knitout file can be cropped, or have several stitch lengths",
+  if (read->crop.needles || (courses && courses->first != courses->last) || !read->stitch_lengths.by_setting.empty() ||
+      !options.knitout.plating.empty()) {
+    complain("wale compile", "only a knitout file can be cropped, be plated or have several stitch lengths",
              "for a chart give numbers: --courses 20 --stitch-length \"7.23 mm\"");
     return std::nullopt;
   }
@@ -141,6 +142,7 @@ void add_compile(CLI::App& app, int& exit_code) {
   command->add_option("--needles", words.needles, "Of a knitout file, only loops made on these: 5-20");
   command->add_option("--stitch-length", words.stitch_length,
                       "\"7.23 mm\" instead of the chart's; for knitout also by setting: \"5 = 9 mm, 6 = 9.5 mm\"");
+  add_plating(*command, words);
   command->add_option("--segments", options->segments, "Spline segments a stitch")->check(CLI::Range(8, 200));
   command->callback([options, &exit_code] { exit_code = compile(*options); });
 }
