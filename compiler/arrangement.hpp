@@ -22,11 +22,12 @@ struct Anchor {
 /// One loop of an Arrangement.
 struct Hanging {
   int feet = -1, head = -1;  ///< indices into Arrangement::anchors
-  int via = -1;     ///< where one loop was pulled through it before another was at its head, as in a split; or -1
-  int sign = 1;     ///< +1 a knit, -1 a purl, seen from the face: the front, or a tube's outside
-  int half = 0;     ///< of a tube: +1 in the half that lay on the front bed, -1 in the other; else 0
-  int heading = 1;  ///< +1 drawn from left to right
-  int passes = 0;   ///< +1 if it crosses another loop on its way up and passes in front, -1 if behind
+  int via = -1;          ///< where one loop was pulled through it before another was at its head, as in a split; or -1
+  int sign = 1;          ///< +1 a knit, -1 a purl, seen from the face: the front, or a tube's outside
+  int half = 0;          ///< of a tube: +1 in the half that lay on the front bed, -1 in the other; else 0
+  int heading = 1;       ///< +1 drawn from left to right
+  bool chained = false;  ///< lies along the edge, as in a bind-off: the next loop of its yarn is pulled through it
+  int passes = 0;        ///< +1 if it crosses another loop on its way up and passes in front, -1 if behind
 };
 
 /// From one loop of a yarn to the next.

@@ -51,18 +51,16 @@ std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Arrange
   };
   const auto start_of_side = [&](int loop) -> std::optional<int> {
     const int before = along_yarn.before[static_cast<std::size_t>(loop)];
-    if (before < 0) return {};
+    if (before < 0 || !same_way(before, loop)) return {};
     const Range own = ranges.at(loop), beside = ranges.at(before);
     if (beside.last + 1 == own.first) return head(beside);
-    if (!same_way(before, loop)) return {};
     return std::max(beside.last + 1, own.first - own.half());
   };
   const auto end_of_side = [&](int loop) -> std::optional<int> {
     const int after = along_yarn.after[static_cast<std::size_t>(loop)];
-    if (after < 0) return {};
+    if (after < 0 || !same_way(loop, after)) return {};
     const Range own = ranges.at(loop), beside = ranges.at(after);
     if (own.last + 1 == beside.first) return head(beside) - 1;
-    if (!same_way(loop, after)) return {};
     return std::min(beside.first - 1, own.last + own.half());
   };
   std::vector<Crossing> crossings;

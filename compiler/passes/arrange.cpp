@@ -17,6 +17,7 @@ constexpr double sheet_pull = 0.15;     // of each bed to its own side, where on
 constexpr double back_to_back = 5;      // where loops of both beds share a place
 constexpr double spacer_pull = 0.02;    // of yarn that goes to and fro between two sheets
 constexpr double split_distance = 2.4;  // diameters between two loops that were pulled through one to opposite sides
+constexpr double steepest_lean = 2;     // how far a loop may lean over its height
 constexpr double least_rise = 0.2;      // courses from a loop's feet to its head
 constexpr double long_wait = 2.5;       // courses that a carrier was left out of
 constexpr double faint = 1e-3;          // what places loops that nothing else does
@@ -97,6 +98,7 @@ class Arranging {
         of_(of),
         chained_(chained_loops(graph, of)),
         levels_(levels_of(graph, of, chained_)),
+        raised_(raised_in_row(graph, chained_)),
         columns_per_needle_(tube ? tube->per_needle : columns_per_needle(graph, of.steps)) {
     if (!tube) return;
     const double round = tube->round * size.wale();
@@ -111,6 +113,7 @@ class Arranging {
     if (layered_) lift();
     turn_up();
     find_waiting();
+    for (std::size_t i = 0; i < of_.loops.size(); ++i) of_.loops[i].chained = chained_[i];
   }
 
  private:
@@ -130,8 +133,13 @@ class Arranging {
     return (tube_ ? tube_->side[static_cast<std::size_t>(i)] : 1) * needles * columns_per_needle_ * size_.wale();
   }
 
-  /// In a bind-off a loop lies along the edge: the next loop of its own yarn is pulled through it.
-  double sideways(int i) const { return chained_[static_cast<std::size_t>(i)] ? at(i).heading * size_.wale() : 0; }
+  /// A loop leans as far as it was moved; but rows that were moved far as they were stay over each other. In a bind-off
+  /// a loop lies along the edge: the next loop of its own yarn is pulled through it.
+  double sideways(int i) const {
+    if (chained_[static_cast<std::size_t>(i)]) return at(i).heading * size_.wale();
+    const bool alone = !at(i).passes && of_.anchors[static_cast<std::size_t>(first_head(i))].heads.size() == 1;
+    return alone ? std::clamp(shift(i), -size_.wale(), size_.wale()) : shift(i);
+  }
 
   const Vec3& anchor(int i) const { return of_.anchors[static_cast<std::size_t>(i)].at; }
 
@@ -170,11 +178,15 @@ class Arranging {
     return std::max(over_itself, level(first_foot(at(i).head)) - level(first_foot(at(i).via)));
   }
 
-  /// Courses from a loop's feet to its head: a loop that waits on its needle is drawn long.
+  /// Courses from a loop's feet to its head: a loop that waits on its needle is drawn long, and so is one that leans so
+  /// far that its legs would lie on each other.
   double rise(int i) const {
     if (chained_[static_cast<std::size_t>(i)]) return 0;
     const Anchor& head = of_.anchors[static_cast<std::size_t>(first_head(i))];
-    return head.feet.empty() ? 1 : std::max(least_rise, level(head.feet.front()) - level(i));
+    const double rise = head.feet.empty() ? 1 : std::max(least_rise, level(head.feet.front()) - level(i));
+    const Vec3& feet = anchor(at(i).feet);
+    const double lean = std::abs(of_.strip.near(feet.x(), head.at).x() - feet.x());
+    return std::max(rise, lean / (steepest_lean * size_.pitch));
   }
 
   Eigen::VectorXd upwards() const {
@@ -186,7 +198,10 @@ class Arranging {
       springs.towards(at(i).feet, level(i) * size_.pitch, faint);
     }
     for (const YarnStep& step : of_.steps)
-      if (!step.turns) pull_up(springs, at(step.from).feet, at(step.to).feet, 0, step.apart > 3 ? 0.1 : 1);
+      if (!step.turns) {
+        const int steps_up = raised_[static_cast<std::size_t>(step.to)] - raised_[static_cast<std::size_t>(step.from)];
+        pull_up(springs, at(step.from).feet, at(step.to).feet, steps_up * size_.pitch, step.apart > 3 ? 0.1 : 1);
+      }
     return springs.rest();
   }
 
@@ -194,7 +209,7 @@ class Arranging {
     Springs springs(of_.anchors.size());
     for (int i = 0; i < static_cast<int>(of_.loops.size()); ++i) {
       if (at(i).via >= 0) pull_across(springs, at(i).via, at(i).head, 0, 1);
-      pull_across(springs, at(i).feet, first_head(i), at(i).passes ? shift(i) : sideways(i), 1);
+      pull_across(springs, at(i).feet, first_head(i), sideways(i), 1);
       springs.towards(at(i).feet, made_at(i), faint);
     }
     for (const YarnStep& step : of_.steps)
@@ -238,8 +253,16 @@ class Arranging {
     for (Vec3* feet : above) feet->y() += over_itself * size_.pitch;
   }
 
-  /// Loops stand upright on their feet as far as they lean themselves.
+  /// Loops stand upright on their row, whichever way they lean; where there is none, as they lean themselves.
   void turn_up() {
+    const std::vector<Vec3> lean = leans(), row = rows();
+    for (std::size_t i = 0; i < lean.size(); ++i) {
+      const Vec3 up = row[i].norm() > 1e-3 * size_.pitch ? Vec3(-row[i].y(), row[i].x(), 0) : lean[i];
+      if (up.norm() > 1e-3 * size_.pitch) of_.anchors[i].up = up.normalized();
+    }
+  }
+
+  std::vector<Vec3> leans() const {
     std::vector<Vec3> lean(of_.anchors.size(), Vec3(0, size_.pitch, 0));
     for (const Hanging& loop : of_.loops) {
       if (loop.passes) continue;
@@ -248,8 +271,22 @@ class Arranging {
       lean[static_cast<std::size_t>(loop.feet)] += rise;
       lean[static_cast<std::size_t>(loop.head)] += rise;
     }
-    for (std::size_t i = 0; i < lean.size(); ++i)
-      if (lean[i].norm() > 1e-3 * size_.pitch) of_.anchors[i].up = lean[i].normalized();
+    return lean;
+  }
+
+  /// From left to right along the row that has its feet at each anchor. The loops of a bind-off lie across it.
+  std::vector<Vec3> rows() const {
+    std::vector<Vec3> row(of_.anchors.size(), Vec3::Zero());
+    for (const YarnStep& step : of_.steps) {
+      const auto from = static_cast<std::size_t>(step.from), to = static_cast<std::size_t>(step.to);
+      if (step.turns || step.apart > 2 || raised_[from] != raised_[to]) continue;
+      const Vec3& at_from = anchor(at(step.from).feet);
+      const Vec3 along = at(step.to).heading * (of_.strip.near(at_from.x(), anchor(at(step.to).feet)) - at_from);
+      if (along.x() <= 0) continue;
+      for (const int feet : {at(step.from).feet, at(step.to).feet})
+        row[static_cast<std::size_t>(feet)] += Vec3(along.x(), along.y(), 0);
+    }
+    return row;
   }
 
   void find_waiting() {
@@ -269,6 +306,7 @@ class Arranging {
   Arrangement& of_;
   std::vector<bool> chained_;
   std::vector<double> levels_;
+  std::vector<int> raised_;
   double columns_per_needle_;
 };
 

@@ -12,7 +12,12 @@ namespace {
 
 using Point = CurvePiece::Point;
 
-constexpr double deeper = 0.6;          // a loop reaches by so much deeper for each further one that hangs with it
+constexpr double deeper = 0.6;  // a loop reaches by so much deeper for each further one that hangs with it
+constexpr double narrowest = 0.5, widest = 1.25;  // half a loop, of a regular one
+// The head of a loop in a bind-off lies over that of the loop with which it is bound off, and leans: found by search
+// for the most room.
+constexpr double chain_raise = 0.3;     // courses
+constexpr double chain_tilt = 0.7;      // rad
 constexpr double aside = 1.1;           // of a loop that crosses another, in diameters
 constexpr double turn_reach = 2;        // tangents of a turn, by its width
 constexpr double turn_shrink = 0.7;     // turns are drawn wide and knitted straight
@@ -29,6 +34,7 @@ class Drawing {
       : graph_(graph), arrangement_(arrangement), size_(size), diameter_(diameter), edges_(edges) {}
 
   Curves draw() {
+    find_widths();
     Curves curves;
     std::size_t step = 0;
     for (const YarnPath& yarn : graph_.yarns) {
@@ -73,12 +79,42 @@ class Drawing {
   Vec3 feet_at(int loop) const { return nearby(anchor(hanging(loop).feet).at); }
   Vec3 head_at(int loop) const { return nearby(anchor(hanging(loop).head).at); }
 
+  /// Where the next loop of a row has its feet.
+  Vec3 ahead(const YarnStep& step) const {
+    const Vec3& from = anchor(hanging(step.from).feet).at;
+    return arrangement_.strip.near(from.x(), anchor(hanging(step.to).feet).at) - from;
+  }
+
   /// One foot of a row goes over into the next where the loops lie side by side.
   bool side_by_side(const YarnStep& step) const {
     if (step.turns || step.apart != 1) return false;
-    const Vec3 apart = feet_at(step.to) - feet_at(step.from);
-    const double ahead = hanging(step.to).heading * apart.x() / size_.wale();
-    return ahead > 0.4 && ahead < 1.8 && std::abs(apart.y()) < size_.pitch && std::abs(apart.z()) < 2 * diameter_;
+    const Vec3 apart = ahead(step);
+    const double wales = hanging(step.to).heading * apart.x() / size_.wale();
+    return wales > 0.4 && wales < 1.8 && std::abs(apart.y()) < size_.pitch && std::abs(apart.z()) < 2 * diameter_;
+  }
+
+  struct Width {
+    double left = 1, right = 1;
+  };
+
+  /// Loops of a row share the room between them, so that their feet meet.
+  void find_widths() {
+    widths_.assign(arrangement_.loops.size(), {});
+    for (const YarnStep& step : arrangement_.steps) {
+      if (!side_by_side(step)) continue;
+      const double share = std::clamp(std::abs(ahead(step).x()) / size_.wale(), narrowest, widest);
+      const bool rightwards = hanging(step.to).heading > 0;
+      widths_[static_cast<std::size_t>(rightwards ? step.from : step.to)].right = share;
+      widths_[static_cast<std::size_t>(rightwards ? step.to : step.from)].left = share;
+    }
+  }
+
+  /// Of the loops that hang at an anchor: that of what is pulled through them.
+  Width width_of_head(const Anchor& of) const {
+    if (of.feet.empty()) return {};
+    const Width feet = widths_[static_cast<std::size_t>(of.feet.front())];
+    const double mean = (feet.left + feet.right) / 2;
+    return {mean, mean};
   }
 
   Footing footing(int anchor_index, int loop, bool head) const {
@@ -87,7 +123,18 @@ class Drawing {
     const auto place = std::find(layers.begin(), layers.end(), loop) - layers.begin();
     const auto count = static_cast<double>(layers.size());
     const auto thickest = static_cast<double>(std::max(of.heads.size(), of.feet.size()));
-    Footing footing{nearby(of.at), of.up, 1 + deeper * (thickest - 1), 0};
+    Footing footing;
+    footing.at = nearby(of.at);
+    footing.up = of.up;
+    footing.depth = 1 + deeper * (thickest - 1);
+    if (head && hanging(loop).chained) {
+      const Vec3 ahead = hanging(loop).heading * Vec3(of.up.y(), -of.up.x(), 0);
+      footing.at += chain_raise * size_.pitch * of.up;
+      footing.up = std::cos(chain_tilt) * of.up + std::sin(chain_tilt) * ahead;
+    }
+    const Width width = head ? width_of_head(of) : widths_[static_cast<std::size_t>(loop)];
+    footing.left = width.left;
+    footing.right = width.right;
     if (place < static_cast<std::ptrdiff_t>(layers.size()))
       footing.forward = diameter_ * ((count - 1) / 2 - static_cast<double>(place));
     return footing;
@@ -305,6 +352,7 @@ class Drawing {
   int material_ = 0;
   double x_ = 0;                  // where the yarn is, along the strip
   std::vector<double> drawn_at_;  // of each loop of the yarn
+  std::vector<Width> widths_;     // of each loop's feet
   std::vector<CurvePiece> pieces_;
 };
 

@@ -7,7 +7,7 @@ namespace {
 
 /// A point that the feet or the head carry along rigidly, `below` or above the middle of the loop by half a pitch.
 Curve3 carried(const Footing& by, const Curve3& flat, double from_middle) {
-  const Vec3 right(by.up.y(), -by.up.x(), 0);
+  const Vec3 right = (flat.y.x() < 0 ? by.left : by.right) * Vec3(by.up.y(), -by.up.x(), 0);
   Curve3 moved;
   moved.y = by.at + flat.y.x() * right + (flat.y.y() - from_middle) * by.up;
   moved.y.z() += by.depth * flat.y.z() + by.forward;

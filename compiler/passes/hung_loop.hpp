@@ -9,10 +9,11 @@ namespace wale {
 
 /// How a loop lies at one of its anchors.
 struct Footing {
-  Vec3 at = Vec3::Zero();   ///< of the anchor, m
-  Vec3 up = Vec3::UnitY();  ///< unit, in the plane
-  double depth = 1;         ///< how much deeper than a single loop it reaches: several loops hang here
-  double forward = 0;       ///< of its place among them, m
+  Vec3 at = Vec3::Zero();      ///< of the anchor, m
+  Vec3 up = Vec3::UnitY();     ///< unit, in the plane
+  double left = 1, right = 1;  ///< widths of its halves, of a regular loop's
+  double depth = 1;            ///< how much deeper than a single loop it reaches: several loops hang here
+  double forward = 0;          ///< of its place among them, m
 };
 
 /// A loop between its anchors. At its middle height it stands `aside` before (or behind) a loop that it crosses.

@@ -56,17 +56,19 @@ class Levels {
 }  // namespace
 
 std::vector<bool> chained_loops(const StitchGraph& graph, const Arrangement& arrangement) {
-  constexpr std::size_t soon = 3;  // loops, since a bind-off may tuck on the other bed on its way
+  constexpr std::size_t most_tucks = 2;  // a bind-off may tuck on the other bed on its way
   std::vector<bool> chained(graph.loops.size(), false);
   for (const YarnPath& yarn : graph.yarns)
     for (std::size_t k = 1; k < yarn.loops.size(); ++k) {
-      const Loop& child = graph.loops[static_cast<std::size_t>(yarn.loops[k])];
-      const int heading = arrangement.loops[static_cast<std::size_t>(yarn.loops[k])].heading;
-      for (std::size_t back = 1; back <= std::min(soon, k); ++back) {
-        const int before = yarn.loops[k - back];
-        if (arrangement.loops[static_cast<std::size_t>(before)].heading != heading) break;
-        if (std::find(child.through.begin(), child.through.end(), before) != child.through.end())
-          chained[static_cast<std::size_t>(before)] = true;
+      const auto child = static_cast<std::size_t>(yarn.loops[k]);
+      const std::vector<int>& through = graph.loops[child].through;
+      for (std::size_t back = 1; back <= std::min(1 + most_tucks, k); ++back) {
+        const auto before = static_cast<std::size_t>(yarn.loops[k - back]);
+        if (arrangement.loops[before].heading != arrangement.loops[child].heading) break;
+        const bool ahead = graph.loops[before].needle != graph.loops[child].needle;
+        if (ahead && std::find(through.begin(), through.end(), yarn.loops[k - back]) != through.end())
+          chained[before] = true;
+        if (!graph.loops[before].through.empty()) break;
       }
     }
   return chained;
@@ -75,6 +77,20 @@ std::vector<bool> chained_loops(const StitchGraph& graph, const Arrangement& arr
 std::vector<double> levels_of(const StitchGraph& graph, const Arrangement& arrangement,
                               const std::vector<bool>& chained) {
   return Levels(graph, arrangement, chained).find();
+}
+
+std::vector<int> raised_in_row(const StitchGraph& graph, const std::vector<bool>& chained) {
+  std::vector<int> raised(graph.loops.size(), 0);
+  for (std::size_t i = 0; i < graph.loops.size(); ++i) {
+    const Loop& loop = graph.loops[i];
+    for (const int through : loop.through) {
+      const auto parent = static_cast<std::size_t>(through);
+      const bool of_this_pass =
+          graph.loops[parent].carrier == loop.carrier && graph.loops[parent].course == loop.course;
+      if (of_this_pass && !chained[parent]) raised[i] = std::max(raised[i], raised[parent] + 1);
+    }
+  }
+  return raised;
 }
 
 }  // namespace wale

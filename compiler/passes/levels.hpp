@@ -18,4 +18,8 @@ std::vector<bool> chained_loops(const StitchGraph&, const Arrangement&);
 /// little higher each time. The arrangement need not have places yet.
 std::vector<double> levels_of(const StitchGraph&, const Arrangement&, const std::vector<bool>& chained);
 
+/// By how many courses each loop lies above its own row: it is pulled through a loop of the same pass that was moved to
+/// where the carrier had still to come.
+std::vector<int> raised_in_row(const StitchGraph&, const std::vector<bool>& chained);
+
 }  // namespace wale
