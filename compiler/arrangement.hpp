@@ -22,22 +22,29 @@ struct Anchor {
 /// One loop of an Arrangement.
 struct Hanging {
   int feet = -1, head = -1;  ///< indices into Arrangement::anchors
-  int via = -1;          ///< where one loop was pulled through it before another was at its head, as in a split; or -1
-  int sign = 1;          ///< +1 a knit, -1 a purl, seen from the face: the front, or a tube's outside
-  int half = 0;          ///< of a tube: +1 in the half that lay on the front bed, -1 in the other; else 0
-  int heading = 1;       ///< +1 drawn from left to right
+  int via = -1;     ///< where one loop was pulled through it before another was at its head, as in a split; or -1
+  int sign = 1;     ///< +1 a knit, -1 a purl, seen from the face: the front, or a tube's outside
+  int half = 0;     ///< of a tube: +1 in the half that lay on the front bed, -1 in the other; else 0
+  int heading = 1;  ///< +1 drawn from left to right
+  bool tucked =
+      false;  ///< laid into a hook that held a knitted loop: it hangs behind it, on the far side of the fabric
   bool chained = false;  ///< lies along the edge, as in a bind-off: the next loop of its yarn is pulled through it
   int passes = 0;        ///< +1 if it crosses another loop on its way up and passes in front, -1 if behind
 };
 
+/// Yarn on its way in one direction.
+struct Leg {
+  int side = 1;             ///< +1 to the right
+  std::vector<int> passed;  ///< loops between which and the gap of the beds it floats, in the order in which it does
+};
+
 /// From one loop of a yarn to the next.
 struct YarnStep {
-  int from = 0, to = 0;  ///< loops
-  bool turns = false;    ///< the yarn goes back
-  int apart = 1;         ///< columns
-  bool waits = false;    ///< for some courses, in which other yarns were knitted
-  std::vector<int>
-      passed;  ///< loops between which and the gap of the beds the yarn floats, in the order in which it does
+  int from = 0, to = 0;   ///< loops
+  bool turns = false;     ///< the yarn goes back
+  int apart = 1;          ///< columns
+  bool waits = false;     ///< for some courses, in which other yarns were knitted
+  std::vector<Leg> legs;  ///< at least one; several where misses led it to and fro
 };
 
 /// Of a tube, places are those of its strip.

@@ -111,7 +111,7 @@ std::optional<Compiled> compile_knitout(const Source& source, const KnitoutOptio
               "bring a carrier in and knit: `in 1`, `knit + f0 1`");
   if (say.error_count() > errors) return std::nullopt;
   warn_of_jamming(graph, yarns, say);
-  auto compiled = draw(source.name, std::move(program), std::move(graph), yarns, {}, segments_per_stitch, say);
+  auto compiled = draw(source.name, std::move(program), passes::let_run(graph), yarns, {}, segments_per_stitch, say);
   if (compiled) compiled->gauge = gauge_of(compiled->graph, compiled->fabric);
   return compiled;
 }

@@ -44,21 +44,20 @@ std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Arrange
   // A side reaches to the head beside it, or half a stitch into a float. Where the yarn turns to another course, or
   // goes up to one, it swings about freely, over or under the last loop, and tells nothing.
   const auto drawn = [&](int loop) -> const Hanging& { return arrangement.loops[static_cast<std::size_t>(loop)]; };
-  std::vector<char> waits(graph.loops.size(), 0);
-  for (const YarnStep& step : arrangement.steps) waits[static_cast<std::size_t>(step.to)] = step.waits;
-  const auto same_way = [&](int a, int b) {
-    return drawn(a).heading == drawn(b).heading && !waits[static_cast<std::size_t>(b)];
-  };
+  std::vector<char> swings(graph.loops.size(), 0);
+  for (const YarnStep& step : arrangement.steps)
+    swings[static_cast<std::size_t>(step.to)] = step.turns || step.waits ? 1 : 0;
+  const auto runs_on = [&](int to) { return !swings[static_cast<std::size_t>(to)]; };
   const auto start_of_side = [&](int loop) -> std::optional<int> {
     const int before = along_yarn.before[static_cast<std::size_t>(loop)];
-    if (before < 0 || !same_way(before, loop)) return {};
+    if (before < 0 || !runs_on(loop)) return {};
     const Range own = ranges.at(loop), beside = ranges.at(before);
     if (beside.last + 1 == own.first) return head(beside);
     return std::max(beside.last + 1, own.first - own.half());
   };
   const auto end_of_side = [&](int loop) -> std::optional<int> {
     const int after = along_yarn.after[static_cast<std::size_t>(loop)];
-    if (after < 0 || !same_way(loop, after)) return {};
+    if (after < 0 || !runs_on(after)) return {};
     const Range own = ranges.at(loop), beside = ranges.at(after);
     if (own.last + 1 == beside.first) return head(beside) - 1;
     return std::min(beside.first - 1, own.last + own.half());

@@ -46,6 +46,9 @@ StitchGraph crop(const StitchGraph&, const Crop&);
 void check_graph(const StitchGraph&, Diagnostics&);
 /// What a machine does with its own program, and a knitter would regret: loops left on needles, dropped columns.
 void check_knitting(const Program&, const StitchGraph&, Diagnostics&);
+/// Loops made of nothing and let go of before anything was pulled through them, as those that hold an inlay until the
+/// next row is knitted, are no loops any more: the yarn only passes there.
+StitchGraph let_run(const StitchGraph&);
 /// A chart is one piece of yarn: where its yarns change, the end of one is tied to the next. Loops keep their carriers.
 StitchGraph tie_ends(const StitchGraph&);
 /// Where loops hang from each other.
@@ -55,6 +58,7 @@ Curves draw(const StitchGraph&, const Arrangement&, const LoopSize&, double diam
 /// Equal arc length, spline through the points; `segments_per_stitch` at least 8. Pieces count `yarns`, and after them
 /// their edge forms in the same order; the fabric has those of which there is a piece.
 Fabric fit(const Curves&, const std::vector<Material>& yarns, int segments_per_stitch);
-/// Whether the fabric has every crossing that its graph demands; an error at the first loop that is not placed right.
+/// Whether the fabric has every crossing that its graph demands, and no yarn through a loop that it does not; an error
+/// at the first loop that is not placed right.
 void prove(const StitchGraph&, const Fabric&, const std::vector<Crossing>&, Diagnostics&);
 }  // namespace wale::passes

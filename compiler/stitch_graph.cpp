@@ -42,6 +42,15 @@ std::vector<int> courses_of(const StitchGraph& graph) {
   return courses;
 }
 
+Needle needle_before(const Loop& loop, int instruction) {
+  Needle on = loop.needle;
+  for (const Move& move : loop.moves) {
+    if (move.instruction >= instruction) break;
+    on = move.to;
+  }
+  return on;
+}
+
 double longest_stitch(const StitchGraph& graph) {
   double longest = 0;
   for (const Loop& loop : graph.loops) longest = std::max(longest, loop.stitch_length);

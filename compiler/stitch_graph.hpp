@@ -81,6 +81,9 @@ struct StitchGraph {
 /// The loop before each on its yarn; -1 for a yarn's first.
 std::vector<int> loops_before(const StitchGraph&);
 
+/// On which needle a loop is before an instruction.
+Needle needle_before(const Loop&, int instruction);
+
 /// The course of each loop, from 0: one above the highest loop that it is pulled through; a loop through nothing lies
 /// beside the one before it on its yarn.
 std::vector<int> courses_of(const StitchGraph&);

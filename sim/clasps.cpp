@@ -1,9 +1,6 @@
 #include "sim/clasps.hpp"
 
-#include <array>
-#include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "sim/net_crossing.hpp"
 #include "sim/polyline.hpp"
@@ -12,23 +9,9 @@ namespace wale {
 
 namespace {
 
-constexpr int view_count = 24;
-
-/// Directions spread evenly over the sphere, along a spiral from pole to pole.
-std::array<Vec3, view_count> spread_views() {
-  std::array<Vec3, view_count> views;
-  for (int i = 0; i < view_count; ++i) {
-    const double z = 1 - (2 * i + 1.0) / view_count, angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
-    views[static_cast<std::size_t>(i)] = {std::sqrt(1 - z * z) * std::cos(angle),
-                                          std::sqrt(1 - z * z) * std::sin(angle), z};
-  }
-  return views;
-}
-
-constexpr int per_segment = 4;               // points of a polyline
-constexpr int surely = 5 * view_count / 4;   // crossings in all views, of 2 a view where two pieces clasp
-constexpr int centred = 3 * view_count / 2;  // where there are so many, the pieces need not be moved
-constexpr int longest_look = 3;              // segments, to look past a count that stays equal
+constexpr int per_segment = 4;   // points of a polyline
+constexpr double centred = 1.5;  // of 2 crossings: where there are so many, the pieces need not be moved
+constexpr int longest_look = 3;  // segments, to look past a count that stays equal
 
 /// Yarn that may have slid from one state to the next, segments.
 int reach(int first, int last) { return (last - first + 1) / 4; }
@@ -41,13 +24,10 @@ Clasps::Clasps(const Fabric& fabric, const std::vector<Crossing>& crossings)
 /// Seen from anywhere, a side that is pulled through a loop crosses it twice in the same sense, unless an end of one
 /// lies in front of the other; the mean over all views, twice Gauss's linking integral of the two pieces, is near 2 for
 /// a clasp and near 0 for a side pushed out of its loop.
-int Clasps::count(const Crossing& of, const Place& at, const Points& q) const {
-  static const std::array<Vec3, view_count> views = spread_views();
+double Clasps::count(const Crossing& of, const Place& at, const Points& q) const {
   const Points loop = polyline(fabric_, q, of.loop_first + at.loop, of.loop_last + at.loop, per_segment);
   const Points side = polyline(fabric_, q, of.side_first + at.side, of.side_last + at.side, per_segment);
-  int sum = 0;
-  for (const Vec3& view : views) sum += net_crossing(side, loop, view);
-  return sum * of.sign;
+  return of.sign * mean_net_crossing(side, loop);
 }
 
 bool Clasps::within_yarn(const Crossing& of, const Place& at) const {
@@ -60,15 +40,15 @@ bool Clasps::within_yarn(const Crossing& of, const Place& at) const {
 
 /// Along both yarns while the count rises; gives the count there. The next clasp, a whole loop away, is out of reach,
 /// and of the opposite sense.
-int Clasps::climb(const Crossing& of, Place& best, const Points& q) const {
+double Clasps::climb(const Crossing& of, Place& best, const Points& q) const {
   const int side_reach = reach(of.side_first, of.side_last), loop_reach = reach(of.loop_first, of.loop_last);
   const Place from = best;
-  int most = count(of, best, q);
+  double most = count(of, best, q);
   const auto higher = [&](int by_side, int by_loop) {
     const Place next{best.side + by_side, best.loop + by_loop};
     if (std::abs(next.side - from.side) > side_reach || std::abs(next.loop - from.loop) > loop_reach) return false;
     if (!within_yarn(of, next)) return false;
-    const int there = count(of, next, q);
+    const double there = count(of, next, q);
     if (there <= most) return false;
     most = there;
     best = next;
@@ -86,7 +66,7 @@ bool crosses_twice(const Fabric& fabric, const Crossing& of, const Points& q, co
 
 std::vector<bool> Clasps::follow(const Points& q) {
   std::vector<bool> held(crossings_.size());
-  for (std::size_t i = 0; i < crossings_.size(); ++i) held[i] = climb(crossings_[i], places_[i], q) >= surely;
+  for (std::size_t i = 0; i < crossings_.size(); ++i) held[i] = climb(crossings_[i], places_[i], q) >= surely_clasped;
   return held;
 }
 

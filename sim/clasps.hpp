@@ -7,6 +7,9 @@
 
 namespace wale {
 
+/// Of the mean_net_crossing() of 2 that two pieces have which clasp, and 0 of two that do not.
+inline constexpr double surely_clasped = 1.25;
+
 /// The demanded crossings of a fabric, followed from state to state. Yarn slides through a pulled fabric, so that in
 /// the end not the segments cross that the compiler named; from one state to the next it slides little.
 class Clasps {
@@ -22,9 +25,9 @@ class Clasps {
   struct Place {
     int side = 0, loop = 0;  ///< segments by which the pieces that cross lie beyond those that the compiler named
   };
-  int count(const Crossing&, const Place&, const Points& q) const;
+  double count(const Crossing&, const Place&, const Points& q) const;
   bool within_yarn(const Crossing&, const Place&) const;
-  int climb(const Crossing&, Place&, const Points& q) const;
+  double climb(const Crossing&, Place&, const Points& q) const;
 
   const Fabric& fabric_;
   const std::vector<Crossing>& crossings_;

@@ -2,6 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
 
 namespace wale {
 namespace {
@@ -13,16 +17,20 @@ Points turned(const Points& points, const Vec3& along) {
 
 double cross(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
 
-/// The sign of the crossing of the pieces a b and c d, 0 if they do not cross. Half-open at the second ends, so that a
-/// crossing at a corner counts once.
-int crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+struct Crossed {
+  bool left = false;         // the second comes from the right and goes to the left
+  bool first_above = false;  // nearer to the viewer
+};
+
+/// Where the pieces a b and c d cross, if they do. Half-open at the second ends, so that a crossing at a corner counts
+/// once.
+std::optional<Crossed> crossing(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = d - c, w = c - a;
   const double turn = cross(u.x(), u.y(), v.x(), v.y());
-  if (turn == 0) return 0;
+  if (turn == 0) return {};
   const double s = cross(w.x(), w.y(), v.x(), v.y()) / turn, t = cross(w.x(), w.y(), u.x(), u.y()) / turn;
-  if (s < 0 || s >= 1 || t < 0 || t >= 1) return 0;
-  const bool first_above = a.z() + s * u.z() > c.z() + t * v.z();
-  return (turn > 0) == first_above ? 1 : -1;
+  if (s < 0 || s >= 1 || t < 0 || t >= 1) return {};
+  return Crossed{turn > 0, a.z() + s * u.z() > c.z() + t * v.z()};
 }
 
 bool apart(const Vec3& a, const Vec3& b, double low_x, double high_x, double low_y, double high_y) {
@@ -30,18 +38,50 @@ bool apart(const Vec3& a, const Vec3& b, double low_x, double high_x, double low
          std::min(a.y(), b.y()) > high_y;
 }
 
-}  // namespace
-
-int net_crossing(const Points& a, const Points& b, const Vec3& along) {
+template <class Visit>
+void for_each_crossing(const Points& a, const Points& b, const Vec3& along, const Visit& visit) {
   const Points p = turned(a, along), q = turned(b, along);
   const Vec3 low = q.rowwise().minCoeff(), high = q.rowwise().maxCoeff();
-  int sum = 0;
   for (Eigen::Index i = 1; i < p.cols(); ++i) {
     const Vec3 from = p.col(i - 1), to = p.col(i);
     if (apart(from, to, low.x(), high.x(), low.y(), high.y())) continue;
-    for (Eigen::Index j = 1; j < q.cols(); ++j) sum += crossing(from, to, q.col(j - 1), q.col(j));
+    for (Eigen::Index j = 1; j < q.cols(); ++j)
+      if (const auto at = crossing(from, to, q.col(j - 1), q.col(j))) visit(*at);
   }
+}
+
+constexpr int view_count = 24;
+
+/// Directions spread evenly over the sphere, along a spiral from pole to pole.
+std::array<Vec3, view_count> spread_views() {
+  std::array<Vec3, view_count> views;
+  for (int i = 0; i < view_count; ++i) {
+    const double z = 1 - (2 * i + 1.0) / view_count, angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    views[static_cast<std::size_t>(i)] = {std::sqrt(1 - z * z) * std::cos(angle),
+                                          std::sqrt(1 - z * z) * std::sin(angle), z};
+  }
+  return views;
+}
+
+}  // namespace
+
+int net_crossing(const Points& a, const Points& b, const Vec3& along) {
+  int sum = 0;
+  for_each_crossing(a, b, along, [&sum](const Crossed& at) { sum += at.left == at.first_above ? 1 : -1; });
   return sum;
+}
+
+double mean_net_crossing(const Points& a, const Points& b) {
+  static const std::array<Vec3, view_count> views = spread_views();
+  int sum = 0;
+  for (const Vec3& view : views) sum += net_crossing(a, b, view);
+  return static_cast<double>(sum) / view_count;
+}
+
+Passing passing(const Points& a, const Points& b, const Vec3& along) {
+  Passing seen;
+  for_each_crossing(a, b, along, [&seen](const Crossed& at) { ++(at.first_above ? seen.before : seen.behind); });
+  return seen;
 }
 
 Vec3 area_vector(const Points& loop) {

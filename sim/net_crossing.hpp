@@ -11,6 +11,16 @@ namespace wale {
 /// A loop's side that is pulled through another loop crosses it twice with the same sign.
 int net_crossing(const Points& a, const Points& b, const Vec3& along);
 
+/// The mean of that over directions spread evenly over the sphere, twice Gauss's linking integral of the two pieces:
+/// near 2 or -2 where they clasp, near 0 where they do not.
+double mean_net_crossing(const Points& a, const Points& b);
+
+/// How often the first of two polylines passes before the second, and how often behind it, seen along `along`.
+struct Passing {
+  int before = 0, behind = 0;
+};
+Passing passing(const Points& a, const Points& b, const Vec3& along);
+
 /// The loop's area vector ½ Σ a x b, closed by its chord: the side from which a loop is seen widest, m².
 Vec3 area_vector(const Points& loop);
 

@@ -19,6 +19,9 @@ constexpr double spacer_pull = 0.02;    // of yarn that goes to and fro between 
 constexpr double split_distance = 2.4;  // diameters between two loops that were pulled through one to opposite sides
 constexpr double steepest_lean = 2;     // how far a loop may lean over its height
 constexpr double least_rise = 0.2;      // courses from a loop's feet to its head
+constexpr double row_pull = 0.5;        // of loops of one row to one height, where a loop keeps its head up with 1
+constexpr double turn_pull = 0.05;      // of yarn that turns
+constexpr double one_over_other = 1.5;  // diameters in depth: yarn further apart lies beside, not over other yarn
 constexpr double long_wait = 2.5;       // courses that a carrier was left out of
 constexpr double faint = 1e-3;          // what places loops that nothing else does
 
@@ -55,7 +58,8 @@ bool is_layered(const StitchGraph& graph, const Surroundings& around) {
            on_back(graph.loops[static_cast<std::size_t>(b)].needle);
   };
   const auto crosses_the_other_bed = [&](const YarnStep& step) {
-    return !step.turns && std::any_of(step.passed.begin(), step.passed.end(),
+    const std::vector<int>& passed = step.legs.front().passed;
+    return !step.turns && std::any_of(passed.begin(), passed.end(),
                                       [&](int loop) { return opposite(loop, step.to) || opposite(loop, step.from); });
   };
   return std::any_of(around.across.begin(), around.across.end(), [](int loop) { return loop >= 0; }) ||
@@ -97,7 +101,6 @@ class Arranging {
         layered_(!tube && is_layered(graph, around)),
         of_(of),
         chained_(chained_loops(graph, of)),
-        levels_(levels_of(graph, of, chained_)),
         raised_(raised_in_row(graph, chained_)),
         columns_per_needle_(tube ? tube->per_needle : columns_per_needle(graph, of.steps)) {
     if (!tube) return;
@@ -108,8 +111,9 @@ class Arranging {
   void solve() {
     place(0, columns());
     place(0, across());
-    place(1, upwards());
     place(2, sheets());
+    levels_ = levels_of(graph_, of_, chained_, one_over_other * diameter_);
+    place(1, upwards());
     if (layered_) lift();
     turn_up();
     find_waiting();
@@ -175,7 +179,7 @@ class Arranging {
 
   /// Courses from the first loop pulled through a split one to the second.
   double split_rise(int i) const {
-    return std::max(over_itself, level(first_foot(at(i).head)) - level(first_foot(at(i).via)));
+    return std::max(over_other, level(first_foot(at(i).head)) - level(first_foot(at(i).via)));
   }
 
   /// Courses from a loop's feet to its head: a loop that waits on its needle is drawn long, and so is one that leans so
@@ -197,11 +201,13 @@ class Arranging {
       if (at(i).via >= 0) pull_up(springs, at(i).via, at(i).head, split_rise(i) * size_.pitch, 1);
       springs.towards(at(i).feet, level(i) * size_.pitch, faint);
     }
-    for (const YarnStep& step : of_.steps)
-      if (!step.turns) {
-        const int steps_up = raised_[static_cast<std::size_t>(step.to)] - raised_[static_cast<std::size_t>(step.from)];
-        pull_up(springs, at(step.from).feet, at(step.to).feet, steps_up * size_.pitch, step.apart > 3 ? 0.1 : 1);
-      }
+    for (const YarnStep& step : of_.steps) {
+      const int steps_up = raised_[static_cast<std::size_t>(step.to)] - raised_[static_cast<std::size_t>(step.from)];
+      const int from = at(step.from).feet, to = at(step.to).feet;
+      if (!step.turns) pull_up(springs, from, to, steps_up * size_.pitch, step.apart > 3 ? 0.1 : row_pull);
+      // A column that is knitted every other row, as at the side of some ribs, keeps up with its neighbours.
+      if (step.turns && step.to == step.from + 1 && to != at(step.from).head) pull_up(springs, from, to, 0, turn_pull);
+    }
     return springs.rest();
   }
 
@@ -212,10 +218,13 @@ class Arranging {
       pull_across(springs, at(i).feet, first_head(i), sideways(i), 1);
       springs.towards(at(i).feet, made_at(i), faint);
     }
-    for (const YarnStep& step : of_.steps)
-      if (!step.turns)
-        pull_across(springs, at(step.from).feet, at(step.to).feet, at(step.to).heading * step.apart * size_.wale(),
-                    1.0 / (step.apart * step.apart));
+    for (const YarnStep& step : of_.steps) {
+      const double wales = at(step.to).heading * step.apart;
+      if (step.turns)
+        pull_across(springs, at(step.from).feet, at(step.to).feet, made_at(step.to) - made_at(step.from), turn_pull);
+      else
+        pull_across(springs, at(step.from).feet, at(step.to).feet, wales * size_.wale(), 1.0 / (wales * wales));
+    }
     return springs.rest();
   }
 
@@ -248,9 +257,9 @@ class Arranging {
       if (other < 0 || loop(other).course == loop(i).course) continue;
       Vec3& feet = of_.anchors[static_cast<std::size_t>(at(i).feet)].at;
       const Vec3& facing = of_.anchors[static_cast<std::size_t>(at(other).feet)].at;
-      if (std::abs(feet.y() - facing.y()) < over_itself / 2 * size_.pitch) above.push_back(&feet);
+      if (std::abs(feet.y() - facing.y()) < over_other / 2 * size_.pitch) above.push_back(&feet);
     }
-    for (Vec3* feet : above) feet->y() += over_itself * size_.pitch;
+    for (Vec3* feet : above) feet->y() += over_other * size_.pitch;
   }
 
   /// Loops stand upright on their row, whichever way they lean; where there is none, as they lean themselves.
@@ -282,7 +291,7 @@ class Arranging {
       if (step.turns || step.apart > 2 || raised_[from] != raised_[to]) continue;
       const Vec3& at_from = anchor(at(step.from).feet);
       const Vec3 along = at(step.to).heading * (of_.strip.near(at_from.x(), anchor(at(step.to).feet)) - at_from);
-      if (along.x() <= 0) continue;
+      if (along.x() <= 0 || std::abs(along.y()) > size_.pitch) continue;
       for (const int feet : {at(step.from).feet, at(step.to).feet})
         row[static_cast<std::size_t>(feet)] += Vec3(along.x(), along.y(), 0);
     }

@@ -6,16 +6,6 @@
 namespace wale {
 namespace {
 
-/// On which needle a loop is before an instruction.
-Needle needle_before(const Loop& loop, int instruction) {
-  Needle on = loop.needle;
-  for (const Move& move : loop.moves) {
-    if (move.instruction >= instruction) break;
-    on = move.to;
-  }
-  return on;
-}
-
 int order(const Needle& a, const Needle& b, double racking) {
   const double apart = position(b, racking) - position(a, racking);
   return apart > 0 ? 1 : apart < 0 ? -1 : 0;

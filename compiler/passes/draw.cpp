@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "compiler/passes.hpp"
 #include "compiler/passes/edges.hpp"
@@ -14,10 +15,22 @@ using Point = CurvePiece::Point;
 
 constexpr double deeper = 0.6;  // a loop reaches by so much deeper for each further one that hangs with it
 constexpr double narrowest = 0.5, widest = 1.25;  // half a loop, of a regular one
-// The head of a loop in a bind-off lies over that of the loop with which it is bound off, and leans: found by search
-// for the most room.
-constexpr double chain_raise = 0.3;     // courses
-constexpr double chain_tilt = 0.7;      // rad
+/// How the head of a loop in a bind-off lies with that of the loop with which it is bound off.
+struct ChainHead {
+  double raise = 0;  ///< courses higher
+  double tilt = 0;   ///< along the edge, rad
+  double apart = 0;  ///< from the middle between the two, diameters
+  double depth = 0;  ///< of its legs and its head, in those of a single loop
+};
+// Found by search for the most room.
+constexpr ChainHead chain_behind{0, 1.05, 1, 0.2}, chain_before{0.3, 0.7, 0.5, 1.6};
+constexpr double chain_depth = 2.95;    // of the loop pulled through both
+constexpr double float_depth = 1.9;     // diameters from the middle of the loops that it passes
+constexpr double free_depth = 0.88;     // diameters before the middle of the sheet
+constexpr double inlay_depth = 0.4;     // diameters from the middle of the loops half way up
+constexpr double longest_climb = 2.5;   // courses: further, yarn goes up along the side
+constexpr double turn_room = 0.9;       // wales beside the last loop that yarn led by misses passes
+constexpr double tuck_depth = 2.1;      // diameters behind the middle of the sheet: behind heads and sinkers
 constexpr double aside = 1.1;           // of a loop that crosses another, in diameters
 constexpr double turn_reach = 2;        // tangents of a turn, by its width
 constexpr double turn_shrink = 0.7;     // turns are drawn wide and knitted straight
@@ -123,21 +136,37 @@ class Drawing {
     const auto place = std::find(layers.begin(), layers.end(), loop) - layers.begin();
     const auto count = static_cast<double>(layers.size());
     const auto thickest = static_cast<double>(std::max(of.heads.size(), of.feet.size()));
-    Footing footing;
-    footing.at = nearby(of.at);
-    footing.up = of.up;
-    footing.depth = 1 + deeper * (thickest - 1);
-    if (head && hanging(loop).chained) {
-      const Vec3 ahead = hanging(loop).heading * Vec3(of.up.y(), -of.up.x(), 0);
-      footing.at += chain_raise * size_.pitch * of.up;
-      footing.up = std::cos(chain_tilt) * of.up + std::sin(chain_tilt) * ahead;
-    }
     const Width width = head ? width_of_head(of) : widths_[static_cast<std::size_t>(loop)];
-    footing.left = width.left;
-    footing.right = width.right;
+    Footing footing{nearby(of.at), of.up, width.left, width.right, 1 + deeper * (thickest - 1), 0};
     if (place < static_cast<std::ptrdiff_t>(layers.size()))
       footing.forward = diameter_ * ((count - 1) / 2 - static_cast<double>(place));
+    if (head && hanging(loop).chained) lay_along_edge(loop, footing);
+    if (!head && hanging(loop).tucked) lay_aside(loop, -tuck_depth, footing);
+    if (head && of.feet.empty() && !graph_.loops[static_cast<std::size_t>(loop)].held)
+      lay_aside(loop, free_depth, footing);
+    if (!head && of.heads.size() > 1 && holds_chain(of)) footing.depth = chain_depth;
     return footing;
+  }
+
+  /// The head of a loop in a bind-off.
+  void lay_along_edge(int loop, Footing& footing) const {
+    const ChainHead& by = footing.forward * hanging(loop).sign < 0 ? chain_behind : chain_before;
+    const Vec3 ahead = hanging(loop).heading * Vec3(footing.up.y(), -footing.up.x(), 0);
+    footing.at += by.raise * size_.pitch * footing.up;
+    footing.up = std::cos(by.tilt) * footing.up + std::sin(by.tilt) * ahead;
+    footing.forward = std::copysign(by.apart * diameter_, footing.forward);
+    footing.depth = by.depth;
+  }
+
+  /// All on one side: the feet of a tuck behind the heads and sinkers that it passes, a head that is let go where its
+  /// needle was.
+  void lay_aside(int loop, double forward, Footing& footing) const {
+    footing.depth = 0;
+    footing.forward += hanging(loop).sign * forward * diameter_;
+  }
+
+  bool holds_chain(const Anchor& of) const {
+    return std::any_of(of.heads.begin(), of.heads.end(), [this](int head) { return hanging(head).chained; });
   }
 
   Bearing bearing(int loop) const {
@@ -150,8 +179,9 @@ class Drawing {
     Bearing bearing{footing(of.feet, loop, false), footing(head, loop, true), {of.sign, of.sign}, 0};
     const std::vector<int>& above = anchor(head).feet;
     if (!above.empty()) bearing.signs.above = hanging(above.front()).sign;
-    // A tuck lies behind (or before) the loops that it hangs with all the way.
-    if (anchor(of.feet).heads.empty() && anchor(of.feet).feet.size() == 1) bearing.feet.forward = bearing.head.forward;
+    // A loop out of nothing lies behind (or before) those that it hangs with all the way.
+    if (!of.tucked && anchor(of.feet).heads.empty() && anchor(of.feet).feet.size() == 1)
+      bearing.feet.forward = bearing.head.forward;
     bearing.aside = of.passes * aside * diameter_;
     return bearing;
   }
@@ -255,8 +285,46 @@ class Drawing {
   }
 
   std::vector<Vec3> on_the_way(const YarnStep& step, const Point& from, const Point& to) const {
+    if (step.legs.size() > 1 && lead_somewhere(step.legs)) {
+      std::vector<Vec3> way = led_by_misses(step, from.y, to.y);
+      if (!way.empty() && goes_on_from_row_to_row(way, from.y, to.y)) return way;
+    }
     if (step.waits) return arrangement_.strip.tube() ? up_the_inside(from, to) : round_the_side(from, to);
-    return passed(step, from.y, to.y);
+    return passed(step.legs.front().passed, from.y, to.y);
+  }
+
+  /// Between the beds, as in an inlay: half way up the loops that it passes, behind those of the front bed and before
+  /// those of the back bed, and round beside the last.
+  std::vector<Vec3> led_by_misses(const YarnStep& step, const Vec3& from, const Vec3& to) const {
+    std::vector<Vec3> way;
+    for (std::size_t k = 0; k < step.legs.size(); ++k) {
+      const Leg& leg = step.legs[k];
+      std::vector<Vec3> stops;
+      for (const int loop : leg.passed) {
+        Vec3 at = (feet_at(loop) + head_at(loop)) / 2;
+        at.z() -= hanging(loop).sign * inlay_depth * diameter_;
+        stops.push_back(at);
+      }
+      std::sort(stops.begin(), stops.end(),
+                [&](const Vec3& a, const Vec3& b) { return leg.side * (a.x() - b.x()) < 0; });
+      if (stops.empty()) continue;
+      if (k > 0) way.push_back(stops.front() - Vec3(leg.side * turn_room * size_.wale(), 0, 0));
+      way.insert(way.end(), stops.begin(), stops.end());
+      if (k + 1 < step.legs.size()) way.push_back(stops.back() + Vec3(leg.side * turn_room * size_.wale(), 0, 0));
+    }
+    std::erase_if(way, [&](const Vec3& at) { return (at - from).norm() < diameter_ || (at - to).norm() < diameter_; });
+    return way;
+  }
+
+  /// A carrier that only makes room for others passes a needle or two there and back.
+  static bool lead_somewhere(const std::vector<Leg>& legs) {
+    return std::all_of(legs.begin(), legs.end(), [](const Leg& leg) { return leg.passed.size() > 2; });
+  }
+
+  bool goes_on_from_row_to_row(const std::vector<Vec3>& way, const Vec3& from, const Vec3& to) const {
+    double at = from.y(), furthest = std::abs(to.y() - way.back().y());
+    for (const Vec3& next : way) furthest = std::max(furthest, std::abs(next.y() - std::exchange(at, next.y())));
+    return furthest < longest_climb * size_.pitch;
   }
 
   /// A yarn that was not knitted for some courses has waited beside the fabric, and comes up along its side.
@@ -278,10 +346,10 @@ class Drawing {
   }
 
   /// The points where a float lies behind the loops of the front bed that it passes, and before those of the back bed.
-  std::vector<Vec3> passed(const YarnStep& step, const Vec3& from, const Vec3& to) const {
+  std::vector<Vec3> passed(const std::vector<int>& loops, const Vec3& from, const Vec3& to) const {
     const double across = to.x() - from.x();
     std::map<double, Vec3> stops;  // by share of the way
-    for (const int loop : step.passed) {
+    for (const int loop : loops) {
       const Hanging& of = hanging(loop);
       const Vec3 middle = (feet_at(loop) + head_at(loop)) / 2;
       const double share = (middle.x() - from.x()) / across;
@@ -289,7 +357,7 @@ class Drawing {
       Vec3 at = from + share * (to - from);
       const bool between_sheets = middle.z() > std::min(from.z(), to.z()) && middle.z() < std::max(from.z(), to.z());
       if (std::abs(middle.z() - at.z()) > same_sheet * diameter_ && !between_sheets) continue;
-      at.z() = middle.z() - of.sign * size_.z;
+      at.z() = middle.z() - of.sign * float_depth * diameter_;
       stops[share] = at;
     }
     std::vector<Vec3> points;

@@ -1,5 +1,8 @@
 #include "compiler/passes/hang.hpp"
 
+#include <algorithm>
+#include <map>
+
 namespace wale {
 namespace {
 
@@ -10,8 +13,8 @@ class Hangings {
   Arrangement hang() {
     for (int i = 0; i < static_cast<int>(graph_.loops.size()); ++i) put_feet(i);
     for (const HeldLoops& held : graph_.on_needles) put_heads(held.loops);
-    for (int i = 0; i < static_cast<int>(graph_.loops.size()); ++i)
-      if (at(i).head < 0) put_heads({i});
+    for (const auto& [instruction, loops] : let_go()) put_heads(loops);
+    for (int i = 0; i < static_cast<int>(graph_.loops.size()); ++i) at(i).tucked = is_tucked(i);
     return std::move(of_);
   }
 
@@ -49,6 +52,26 @@ class Hangings {
     const int anchor = new_anchor();
     for (const int i : free) at(i).head = anchor;
     of_.anchors[static_cast<std::size_t>(anchor)].heads = std::move(free);
+  }
+
+  /// What nothing was pulled through and no needle holds, by what let go of it; front to back.
+  std::map<int, std::vector<int>> let_go() {
+    std::map<int, std::vector<int>> loops;
+    for (int i = 0; i < static_cast<int>(graph_.loops.size()); ++i) {
+      if (at(i).head >= 0) continue;
+      std::vector<int>& stack = loops[loop(i).released];
+      stack.insert(on_back(loop(i).last_needle) ? stack.begin() : stack.end(), i);
+    }
+    return loops;
+  }
+
+  bool is_tucked(int i) {
+    if (!loop(i).through.empty()) return false;
+    const std::vector<int>& hook = of_.anchors[static_cast<std::size_t>(at(i).head)].heads;
+    return std::any_of(hook.begin(), hook.end(), [&](int other) {
+      return other < i && !loop(other).through.empty() &&
+             needle_before(loop(other), loop(i).instruction) == loop(i).needle;
+    });
   }
 
   const StitchGraph& graph_;

@@ -12,6 +12,7 @@ inline constexpr std::string_view empty_chart = "L001";
 inline constexpr std::string_view tube_wales = "L002";
 inline constexpr std::string_view too_many_yarns = "L003";
 inline constexpr std::string_view not_placeable = "L010";
+inline constexpr std::string_view entangled = "L011";
 
 inline constexpr std::string_view carrier_not_in = "P001";
 inline constexpr std::string_view carrier_already_in = "P002";
@@ -58,9 +59,11 @@ inline constexpr auto program_codes = std::to_array<ProgramCode>({
     {too_many_yarns, Severity::error, "a chart has more yarns than the machine has carriers",
      "wale compile chart.yaml -o chart.k --machine swg   # ten carriers; a Kniterate has six"},
     {not_placeable, Severity::error,
-     "a loop cannot be drawn yet so that it is pulled through the loops that it should be, or a chart's cell has no "
-     "stitch",
-     "knit + f0 a\nknit - f0 a ; each loop through the one below"},
+     "a loop cannot be drawn yet so that it is pulled through the loops that it should be",
+     "wale compile glove.k -o glove.svg --courses 5-30   # leaves the part out that holds it"},
+    {entangled, Severity::error,
+     "a loop or a float cannot be drawn yet without passing through a loop that it is not knitted with",
+     "wale compile glove.k -o glove.svg --courses 5-30   # leaves the part out that holds it"},
     {carrier_not_in, Severity::error, "a carrier knits, or goes out, while it is out", "in a\nknit + f0 a"},
     {carrier_already_in, Severity::error, "a carrier is brought in while it is in", "in a\nknit + f0 a\nout a\nin a"},
     {carrier_missing, Severity::error, "an instruction names no carrier, and needs one", "in a"},

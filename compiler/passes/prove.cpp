@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/passes.hpp"
+#include "compiler/passes/entanglements.hpp"
 #include "compiler/passes/program_codes.hpp"
 #include "sim/clasps.hpp"
 
@@ -22,9 +23,11 @@ std::vector<Crossing> unclear_from_the_face(const Fabric& fabric, const std::vec
   return unclear;
 }
 
-}  // namespace
+constexpr std::string_view leave_out =
+    "`wale check` still counts this program; --courses and --needles leave a part of it out";
 
-void prove(const StitchGraph& graph, const Fabric& fabric, const std::vector<Crossing>& crossings, Diagnostics& say) {
+void prove_crossings(const StitchGraph& graph, const Fabric& fabric, const std::vector<Crossing>& crossings,
+                     Diagnostics& say) {
   const std::vector<Crossing> unclear = unclear_from_the_face(fabric, crossings);
   const std::vector<bool> held = Clasps(fabric, unclear).follow(fabric.points);
   const auto wrong = std::find(held.begin(), held.end(), false);
@@ -35,7 +38,26 @@ void prove(const StitchGraph& graph, const Fabric& fabric, const std::vector<Cro
             fmt::format("loop {} cannot be placed yet so that what is knit through it is drawn through it ({} of {} "
                         "crossings are wrong)",
                         loop, std::count(held.begin(), held.end(), false), crossings.size()),
-            "`wale check` still counts this program; --courses and --needles leave a part of it out");
+            std::string(leave_out));
+}
+
+void prove_nothing_else(const StitchGraph& graph, const Fabric& fabric, Diagnostics& say) {
+  const std::vector<Entanglement> found = entanglements(graph, fabric);
+  if (found.empty()) return;
+  const Entanglement& first = found.front();
+  say.error(
+      codes::entangled, graph.loops[static_cast<std::size_t>(first.loop)].span,
+      fmt::format("loop {} or the yarn that leads to it is drawn through loop {}, which it does not touch ({} such "
+                  "places)",
+                  first.loop, first.with, found.size()),
+      std::string(leave_out));
+}
+
+}  // namespace
+
+void prove(const StitchGraph& graph, const Fabric& fabric, const std::vector<Crossing>& crossings, Diagnostics& say) {
+  prove_crossings(graph, fabric, crossings, say);
+  prove_nothing_else(graph, fabric, say);
 }
 
 }  // namespace wale::passes

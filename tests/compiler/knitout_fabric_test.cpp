@@ -341,18 +341,24 @@ INSTANTIATE_TEST_SUITE_P(Every, KnitoutExample,
                                          "tube.k", "tuck.k"),
                          [](const auto& each) { return each.param.substr(0, each.param.find('.')); });
 
-/// All real files that a machine would knit.
+/// Real files that a machine would knit: all have the crossings that their graphs demand, and most no other ones.
 TEST(KnitoutCorpus, IsPlacedAsItsGraphsDemand) {
   const fs::path corpus = shared_folder / "corpus";
   if (!fs::exists(corpus / "manifest.csv")) GTEST_SKIP() << "there is no " << corpus;
+  std::set<std::string> entangled;
   int placed = 0;
   for (const Row& file : read_table(read_text(corpus / "manifest.csv"))) {
     if (std::stoi(file.at("loops")) > 3000) continue;
     const auto made = make(file.at("path"), read_text(corpus / file.at("path")));
     placed += made->fabric.has_value();
-    for (const Diagnostic& each : made->say.all()) EXPECT_NE(each.code, "L010") << file.at("path") << ": " << each.message;
+    for (const Diagnostic& each : made->say.all()) {
+      EXPECT_NE(each.code, "L010") << file.at("path") << ": " << each.message;
+      if (each.code == "L011") entangled.insert(fs::path(file.at("path")).filename().string());
+    }
   }
-  EXPECT_GE(placed, 53);
+  EXPECT_GE(placed, 50);
+  EXPECT_EQ(entangled, (std::set<std::string>{"example-band-20x40.k", "fairisle-13x12.k", "icord-bind-off.k",
+                                              "jersey-bindoff-13x12.k", "rib2x2-16x12.k"}));
 }
 
 }  // namespace
