@@ -1,5 +1,7 @@
 #include "compiler/compile.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "compiler/demand.hpp"
@@ -18,6 +20,15 @@ double widest_yarn(const StitchGraph& graph, const std::vector<Material>& yarns)
   return diameter;
 }
 
+/// Of yarn that belongs to no stitch, from end to end, m.
+double length_of_floats(const Curves& curves) {
+  double length = 0;
+  for (const YarnCurve& yarn : curves.yarns)
+    for (const CurvePiece& piece : yarn.pieces)
+      if (piece.stitch < 0) length += (piece.at(1).y - piece.at(0).y).norm();
+  return length;
+}
+
 /// From a stitch graph to a fabric with every crossing that it demands. Its gauge is not known yet.
 std::optional<Compiled> draw(std::string name, Program program, StitchGraph graph, const std::vector<Material>& yarns,
                              const passes::Edges& edges, int segments_per_stitch, Diagnostics& say) {
@@ -26,6 +37,14 @@ std::optional<Compiled> draw(std::string name, Program program, StitchGraph grap
   const LoopSize size = large_enough(diameter, longest_stitch(graph));
   Arrangement arrangement = passes::arrange(graph, size, diameter);
   const Curves curves = passes::draw(graph, arrangement, size, diameter, edges);
+  constexpr double most_wales = 3e5;  // of floats; they cost as much memory as stitches
+  if (length_of_floats(curves) > most_wales * size.wale()) {
+    say.error(
+        codes::floats_too_long, graph.loops.front().span,
+        fmt::format("the yarn lies across {:.3g} needles between its stitches", length_of_floats(curves) / size.wale()),
+        "leave out what lies far away, with --needles or --courses");
+    return std::nullopt;
+  }
   Fabric fabric = passes::fit(curves, yarns, segments_per_stitch);
   auto crossings = demanded_crossings(graph, arrangement, fabric);
   passes::prove(graph, fabric, crossings, say);

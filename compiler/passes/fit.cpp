@@ -34,15 +34,18 @@ Material at_edge(Material yarn) {
   return yarn;
 }
 
+/// Of a stitch as most are: some wait for many courses and are drawn long.
 double stitch_length_drawn(const YarnCurve& yarn, const ArcLength& arc) {
-  double drawn = 0;
-  int stitches = 0;
+  std::vector<double> lengths;
   for (std::size_t i = 0; i < yarn.pieces.size(); ++i)
-    if (yarn.pieces[i].stitch >= 0) {
-      drawn += arc.length_of(i);
-      ++stitches;
-    }
-  return stitches ? drawn / stitches : arc.total();
+    if (yarn.pieces[i].stitch_length > 0) lengths.push_back(arc.length_of(i));
+  if (lengths.empty())
+    for (std::size_t i = 0; i < yarn.pieces.size(); ++i)
+      if (yarn.pieces[i].stitch >= 0) lengths.push_back(arc.length_of(i));
+  if (lengths.empty()) return arc.total();
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
 }
 
 void fit_yarn(const YarnCurve& curve, int segments_per_stitch, Fabric& fabric) {

@@ -13,6 +13,7 @@ inline constexpr std::string_view tube_wales = "L002";
 inline constexpr std::string_view too_many_yarns = "L003";
 inline constexpr std::string_view not_placeable = "L010";
 inline constexpr std::string_view entangled = "L011";
+inline constexpr std::string_view floats_too_long = "L012";
 
 inline constexpr std::string_view carrier_not_in = "P001";
 inline constexpr std::string_view carrier_already_in = "P002";
@@ -64,6 +65,8 @@ inline constexpr auto program_codes = std::to_array<ProgramCode>({
     {entangled, Severity::error,
      "a loop or a float cannot be drawn yet without passing through a loop that it is not knitted with",
      "wale compile glove.k -o glove.svg --courses 5-30   # leaves the part out that holds it"},
+    {floats_too_long, Severity::error, "the yarn between the stitches is too long to be drawn",
+     "wale compile glove.k -o glove.svg --needles 0-200   # leaves out what lies far away"},
     {carrier_not_in, Severity::error, "a carrier knits, or goes out, while it is out", "in a\nknit + f0 a"},
     {carrier_already_in, Severity::error, "a carrier is brought in while it is in", "in a\nknit + f0 a\nout a\nin a"},
     {carrier_missing, Severity::error, "an instruction names no carrier, and needs one", "in a"},

@@ -96,7 +96,8 @@ TEST(LetRun, LeavesAnInlayBetweenTheBeds) {
     return made;
   };
   text += rib(true) + rib(false) + rib(true);
-  text += "tuck + b0 2\n" + row("miss", 'f', 1, 10, "2") + "tuck + f11 2\n" + rib(false) + "drop b0\ndrop f11\n" + rib(true);
+  text += "tuck + b0 2\n" + row("miss", 'f', 1, 10, "2") + "tuck + f11 2\n" + rib(false) + "drop b0\ndrop f11\n" +
+          rib(true);
   Diagnostics say;
   const Source source{"inlay.k", text};
   const Knitted knitted = knit_knitout(source, {}, say);
