@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "compiler/passes.hpp"
 #include "compiler/passes/arc_length.hpp"
@@ -34,18 +35,17 @@ Material at_edge(Material yarn) {
   return yarn;
 }
 
-/// Of a stitch as most are: some wait for many courses and are drawn long.
+/// On average, without those that wait for courses and are drawn long.
 double stitch_length_drawn(const YarnCurve& yarn, const ArcLength& arc) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i < yarn.pieces.size(); ++i)
-    if (yarn.pieces[i].stitch_length > 0) lengths.push_back(arc.length_of(i));
-  if (lengths.empty())
-    for (std::size_t i = 0; i < yarn.pieces.size(); ++i)
-      if (yarn.pieces[i].stitch >= 0) lengths.push_back(arc.length_of(i));
+    if (yarn.pieces[i].stitch >= 0) lengths.push_back(arc.length_of(i));
   if (lengths.empty()) return arc.total();
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  std::vector<double> sorted = lengths;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  std::erase_if(lengths, [longest = 2 * *middle](double length) { return length > longest; });
+  return std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
 }
 
 void fit_yarn(const YarnCurve& curve, int segments_per_stitch, Fabric& fabric) {
