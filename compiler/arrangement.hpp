@@ -55,7 +55,7 @@ struct Arrangement {
   std::vector<YarnStep> steps;  ///< yarn by yarn
 };
 
-/// One loop a line, in millimetres; what `--show layout` prints of a knitout file.
+/// One loop a line, in millimetres; what `--show layout` prints.
 std::string print(const Arrangement&);
 
 }  // namespace wale
