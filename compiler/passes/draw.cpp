@@ -1,53 +1,35 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "compiler/passes.hpp"
+#include "compiler/passes/bearings.hpp"
 #include "compiler/passes/edges.hpp"
+#include "compiler/passes/floats.hpp"
 #include "compiler/passes/hermite.hpp"
-#include "compiler/passes/hung_loop.hpp"
 
 namespace wale::passes {
 namespace {
 
 using Point = CurvePiece::Point;
 
-constexpr double deeper = 0.6;  // a loop reaches by so much deeper for each further one that hangs with it
-constexpr double narrowest = 0.5, widest = 1.25;  // half a loop, of a regular one
-/// How the head of a loop in a bind-off lies with that of the loop with which it is bound off.
-struct ChainHead {
-  double raise = 0;  ///< courses higher
-  double tilt = 0;   ///< along the edge, rad
-  double apart = 0;  ///< from the middle between the two, diameters
-  double depth = 0;  ///< of its legs and its head, in those of a single loop
-};
-// Found by search for the most room.
-constexpr ChainHead chain_behind{0, 1.05, 1, 0.2}, chain_before{0.3, 0.7, 0.5, 1.6};
-constexpr double chain_depth = 2.95;    // of the loop pulled through both
-constexpr double float_depth = 1.9;     // diameters from the middle of the loops that it passes
-constexpr double free_depth = 0.88;     // diameters before the middle of the sheet
-constexpr double inlay_depth = 0.4;     // diameters from the middle of the loops half way up
-constexpr double longest_climb = 2.5;   // courses: further, yarn goes up along the side
-constexpr double turn_room = 0.9;       // wales beside the last loop that yarn led by misses passes
-constexpr double tuck_depth = 2.1;      // diameters behind the middle of the sheet: behind heads and sinkers
-constexpr double aside = 1.1;           // of a loop that crosses another, in diameters
 constexpr double turn_reach = 2;        // tangents of a turn, by its width
 constexpr double turn_shrink = 0.7;     // turns are drawn wide and knitted straight
-constexpr double same_sheet = 1.5;      // diameters: loops further off in depth are of the other face of a tube
 constexpr double past_first = 0.65;     // in w: the legs of a split loop have passed the first loop pulled through it,
 constexpr double before_second = 0.85;  // and come to the second
-constexpr double beside = 1.3;          // wales beside the outermost loops
-constexpr double inside = 2.5;          // diameters from a tube's middle surface
 
 class Drawing {
  public:
   Drawing(const StitchGraph& graph, const Arrangement& arrangement, const LoopSize& size, double diameter,
           const Edges& edges)
-      : graph_(graph), arrangement_(arrangement), size_(size), diameter_(diameter), edges_(edges) {}
+      : graph_(graph),
+        arrangement_(arrangement),
+        size_(size),
+        diameter_(diameter),
+        edges_(edges),
+        bearings_(graph, arrangement, size_, diameter),
+        floats_(arrangement, size, diameter) {}
 
   Curves draw() {
-    find_widths();
     Curves curves;
     std::size_t step = 0;
     for (const YarnPath& yarn : graph_.yarns) {
@@ -88,103 +70,8 @@ class Drawing {
   }
 
   /// A tube's strip passes every place once a round; yarn goes on from where it is.
-  Vec3 nearby(const Vec3& at) const { return arrangement_.strip.near(x_, at); }
-  Vec3 feet_at(int loop) const { return nearby(anchor(hanging(loop).feet).at); }
-  Vec3 head_at(int loop) const { return nearby(anchor(hanging(loop).head).at); }
-
-  /// Where the next loop of a row has its feet.
-  Vec3 ahead(const YarnStep& step) const {
-    const Vec3& from = anchor(hanging(step.from).feet).at;
-    return arrangement_.strip.near(from.x(), anchor(hanging(step.to).feet).at) - from;
-  }
-
-  /// One foot of a row goes over into the next where the loops lie side by side.
-  bool side_by_side(const YarnStep& step) const {
-    if (step.turns || step.apart != 1) return false;
-    const Vec3 apart = ahead(step);
-    const double wales = hanging(step.to).heading * apart.x() / size_.wale();
-    return wales > 0.4 && wales < 1.8 && std::abs(apart.y()) < size_.pitch && std::abs(apart.z()) < 2 * diameter_;
-  }
-
-  struct Width {
-    double left = 1, right = 1;
-  };
-
-  /// Loops of a row share the room between them, so that their feet meet.
-  void find_widths() {
-    widths_.assign(arrangement_.loops.size(), {});
-    for (const YarnStep& step : arrangement_.steps) {
-      if (!side_by_side(step)) continue;
-      const double share = std::clamp(std::abs(ahead(step).x()) / size_.wale(), narrowest, widest);
-      const bool rightwards = hanging(step.to).heading > 0;
-      widths_[static_cast<std::size_t>(rightwards ? step.from : step.to)].right = share;
-      widths_[static_cast<std::size_t>(rightwards ? step.to : step.from)].left = share;
-    }
-  }
-
-  /// Of the loops that hang at an anchor: that of what is pulled through them.
-  Width width_of_head(const Anchor& of) const {
-    if (of.feet.empty()) return {};
-    const Width feet = widths_[static_cast<std::size_t>(of.feet.front())];
-    const double mean = (feet.left + feet.right) / 2;
-    return {mean, mean};
-  }
-
-  Footing footing(int anchor_index, int loop, bool head) const {
-    const Anchor& of = anchor(anchor_index);
-    const std::vector<int>& layers = head ? of.heads : of.feet;
-    const auto place = std::find(layers.begin(), layers.end(), loop) - layers.begin();
-    const auto count = static_cast<double>(layers.size());
-    const auto thickest = static_cast<double>(std::max(of.heads.size(), of.feet.size()));
-    const Width width = head ? width_of_head(of) : widths_[static_cast<std::size_t>(loop)];
-    Footing footing{nearby(of.at), of.up, width.left, width.right, 1 + deeper * (thickest - 1), 0};
-    if (place < static_cast<std::ptrdiff_t>(layers.size()))
-      footing.forward = diameter_ * ((count - 1) / 2 - static_cast<double>(place));
-    if (head && hanging(loop).chained) lay_along_edge(loop, footing);
-    if (!head && hanging(loop).tucked) lay_aside(loop, -tuck_depth, footing);
-    if (head && of.feet.empty() && !graph_.loops[static_cast<std::size_t>(loop)].held)
-      lay_aside(loop, free_depth, footing);
-    if (!head && of.heads.size() > 1 && holds_chain(of)) footing.depth = chain_depth;
-    return footing;
-  }
-
-  /// The head of a loop in a bind-off.
-  void lay_along_edge(int loop, Footing& footing) const {
-    const ChainHead& by = footing.forward * hanging(loop).sign < 0 ? chain_behind : chain_before;
-    const Vec3 ahead = hanging(loop).heading * Vec3(footing.up.y(), -footing.up.x(), 0);
-    footing.at += by.raise * size_.pitch * footing.up;
-    footing.up = std::cos(by.tilt) * footing.up + std::sin(by.tilt) * ahead;
-    footing.forward = std::copysign(by.apart * diameter_, footing.forward);
-    footing.depth = by.depth;
-  }
-
-  /// All on one side: the feet of a tuck behind the heads and sinkers that it passes, a head that is let go where its
-  /// needle was.
-  void lay_aside(int loop, double forward, Footing& footing) const {
-    footing.depth = 0;
-    footing.forward += hanging(loop).sign * forward * diameter_;
-  }
-
-  bool holds_chain(const Anchor& of) const {
-    return std::any_of(of.heads.begin(), of.heads.end(), [this](int head) { return hanging(head).chained; });
-  }
-
-  Bearing bearing(int loop) const {
-    const Hanging& of = hanging(loop);
-    return bearing(loop, of.via >= 0 ? of.via : of.head);
-  }
-
-  Bearing bearing(int loop, int head) const {
-    const Hanging& of = hanging(loop);
-    Bearing bearing{footing(of.feet, loop, false), footing(head, loop, true), {of.sign, of.sign}, 0};
-    const std::vector<int>& above = anchor(head).feet;
-    if (!above.empty()) bearing.signs.above = hanging(above.front()).sign;
-    // A loop out of nothing lies behind (or before) those that it hangs with all the way.
-    if (!of.tucked && anchor(of.feet).heads.empty() && anchor(of.feet).feet.size() == 1)
-      bearing.feet.forward = bearing.head.forward;
-    bearing.aside = of.passes * aside * diameter_;
-    return bearing;
-  }
+  Vec3 feet_at(int loop) const { return arrangement_.strip.near(x_, anchor(hanging(loop).feet).at); }
+  Bearing bearing(int loop) const { return bearings_.of(loop, x_); }
 
   /// The loops of the yarn's first course, and of its last.
   std::size_t first_course(const YarnPath& yarn) const {
@@ -220,9 +107,9 @@ class Drawing {
       const double side = before ? heading : -heading;
       (side > 0 ? shape.right : shape.left) = beside_with_signs_of(shape.here, over_the_seam, side);
     }
-    const bool joined = before && side_by_side(*before);
+    const bool joined = before && bearings_.side_by_side(*before);
     if (joined) (heading > 0 ? shape.left : shape.right) = bearing(before->from);
-    if (after && side_by_side(*after)) (heading > 0 ? shape.right : shape.left) = bearing(after->to);
+    if (after && bearings_.side_by_side(*after)) (heading > 0 ? shape.right : shape.left) = bearing(after->to);
     if (before && !joined) {
       const Curve3 start = hung_point(size_, shape, -2 * heading);
       join(*before, {start.y, heading * start.dy});
@@ -249,7 +136,7 @@ class Drawing {
   /// and its head holds the second.
   void add_split(const HungLoop& shape, int loop) {
     HungLoop upper = shape;
-    upper.here = bearing(loop, hanging(loop).head);
+    upper.here = bearings_.of(loop, hanging(loop).head, x_);
     upper.here.feet = upper.here.head;
     upper.here.feet.at -= size_.pitch * upper.here.feet.up;
     add_part(shape, loop, -2, -past_first);
@@ -271,7 +158,7 @@ class Drawing {
   void join(const YarnStep& step, const Point& to) {
     const Point from = pieces_.back().at(1);
     std::vector<Point> stops{from};
-    for (const Vec3& at : on_the_way(step, from, to)) stops.push_back({at, Vec3::Zero()});
+    for (const Vec3& at : floats_.way(step, from, to, x_)) stops.push_back({at, Vec3::Zero()});
     stops.push_back(to);
     const bool straight = stops.size() == 2;
     const double reach = (step.turns && straight ? turn_reach : 1) * std::max((to.y - from.y).norm(), diameter_);
@@ -282,87 +169,6 @@ class Drawing {
     for (std::size_t k = 0; k + 1 < stops.size(); ++k)
       pieces_.push_back({[a = stops[k], b = stops[k + 1]](double u) { return hermite(a, b, u); }, -1, material_, 0,
                          step.turns ? turn_shrink : 1});
-  }
-
-  std::vector<Vec3> on_the_way(const YarnStep& step, const Point& from, const Point& to) const {
-    if (step.legs.size() > 1 && lead_somewhere(step.legs)) {
-      std::vector<Vec3> way = led_by_misses(step, from.y, to.y);
-      if (!way.empty() && goes_on_from_row_to_row(way, from.y, to.y)) return way;
-    }
-    if (step.waits) return arrangement_.strip.tube() ? up_the_inside(from, to) : round_the_side(from, to);
-    return passed(step.legs.front().passed, from.y, to.y);
-  }
-
-  /// Between the beds, as in an inlay: half way up the loops that it passes, behind those of the front bed and before
-  /// those of the back bed, and round beside the last.
-  std::vector<Vec3> led_by_misses(const YarnStep& step, const Vec3& from, const Vec3& to) const {
-    std::vector<Vec3> way;
-    for (std::size_t k = 0; k < step.legs.size(); ++k) {
-      const Leg& leg = step.legs[k];
-      std::vector<Vec3> stops;
-      for (const int loop : leg.passed) {
-        Vec3 at = (feet_at(loop) + head_at(loop)) / 2;
-        at.z() -= hanging(loop).sign * inlay_depth * diameter_;
-        stops.push_back(at);
-      }
-      std::sort(stops.begin(), stops.end(),
-                [&](const Vec3& a, const Vec3& b) { return leg.side * (a.x() - b.x()) < 0; });
-      if (stops.empty()) continue;
-      if (k > 0) way.push_back(stops.front() - Vec3(leg.side * turn_room * size_.wale(), 0, 0));
-      way.insert(way.end(), stops.begin(), stops.end());
-      if (k + 1 < step.legs.size()) way.push_back(stops.back() + Vec3(leg.side * turn_room * size_.wale(), 0, 0));
-    }
-    std::erase_if(way, [&](const Vec3& at) { return (at - from).norm() < diameter_ || (at - to).norm() < diameter_; });
-    return way;
-  }
-
-  /// A carrier that only makes room for others passes a needle or two there and back.
-  static bool lead_somewhere(const std::vector<Leg>& legs) {
-    return std::all_of(legs.begin(), legs.end(), [](const Leg& leg) { return leg.passed.size() > 2; });
-  }
-
-  bool goes_on_from_row_to_row(const std::vector<Vec3>& way, const Vec3& from, const Vec3& to) const {
-    double at = from.y(), furthest = std::abs(to.y() - way.back().y());
-    for (const Vec3& next : way) furthest = std::max(furthest, std::abs(next.y() - std::exchange(at, next.y())));
-    return furthest < longest_climb * size_.pitch;
-  }
-
-  /// A yarn that was not knitted for some courses has waited beside the fabric, and comes up along its side.
-  std::vector<Vec3> round_the_side(const Point& from, const Point& to) const {
-    const double side = from.dy.x() < 0 ? -1 : 1, low = std::min(from.y.y(), to.y.y()),
-                 high = std::max(from.y.y(), to.y.y());
-    double outermost = std::max(side * from.y.x(), side * to.y.x());
-    for (const Anchor& each : arrangement_.anchors)
-      if (each.at.y() > low - size_.pitch && each.at.y() < high + size_.pitch)
-        outermost = std::max(outermost, side * each.at.x());
-    const double x = side * (outermost + beside * size_.wale()), step = 0.15 * (to.y.y() - from.y.y());
-    return {Vec3(x, from.y.y() + step, from.y.z()), Vec3(x, to.y.y() - step, to.y.z())};
-  }
-
-  /// Nor has a tube a side; there it waited inside.
-  std::vector<Vec3> up_the_inside(const Point& from, const Point& to) const {
-    const Vec3 inwards(0, 0, -inside * diameter_);
-    return {from.y + inwards + 0.2 * (to.y - from.y), to.y + inwards - 0.2 * (to.y - from.y)};
-  }
-
-  /// The points where a float lies behind the loops of the front bed that it passes, and before those of the back bed.
-  std::vector<Vec3> passed(const std::vector<int>& loops, const Vec3& from, const Vec3& to) const {
-    const double across = to.x() - from.x();
-    std::map<double, Vec3> stops;  // by share of the way
-    for (const int loop : loops) {
-      const Hanging& of = hanging(loop);
-      const Vec3 middle = (feet_at(loop) + head_at(loop)) / 2;
-      const double share = (middle.x() - from.x()) / across;
-      if (!(share > 0.05 && share < 0.95)) continue;
-      Vec3 at = from + share * (to - from);
-      const bool between_sheets = middle.z() > std::min(from.z(), to.z()) && middle.z() < std::max(from.z(), to.z());
-      if (std::abs(middle.z() - at.z()) > same_sheet * diameter_ && !between_sheets) continue;
-      at.z() = middle.z() - of.sign * float_depth * diameter_;
-      stops[share] = at;
-    }
-    std::vector<Vec3> points;
-    for (const auto& [share, at] : stops) points.push_back(at);
-    return points;
   }
 
   EdgeStyle edge_style(const Point& stitch) const { return {size_, diameter_, edges_.yarns, stitch}; }
@@ -417,10 +223,11 @@ class Drawing {
   LoopSize size_;
   double diameter_;
   Edges edges_;
+  Bearings bearings_;
+  Floats floats_;
   int material_ = 0;
   double x_ = 0;                  // where the yarn is, along the strip
   std::vector<double> drawn_at_;  // of each loop of the yarn
-  std::vector<Width> widths_;     // of each loop's feet
   std::vector<CurvePiece> pieces_;
 };
 
