@@ -8,6 +8,7 @@
 #include "compiler/passes/springs.hpp"
 #include "compiler/passes/surroundings.hpp"
 #include "compiler/passes/tube.hpp"
+#include "compiler/passes/uprights.hpp"
 
 namespace wale::passes {
 namespace {
@@ -66,28 +67,6 @@ bool is_layered(const StitchGraph& graph, const Surroundings& around) {
          std::any_of(around.steps.begin(), around.steps.end(), crosses_the_other_bed);
 }
 
-/// As seen from outside: the back half runs the other way, and shows its knits to the back.
-void see_from_outside(const Tube& tube, Arrangement& of) {
-  for (std::size_t i = 0; i < of.loops.size(); ++i) {
-    of.loops[i].half = tube.side[i];
-    of.loops[i].sign *= tube.side[i];
-    of.loops[i].heading *= tube.side[i];
-    of.loops[i].passes *= tube.side[i];
-  }
-  for (Anchor& anchor : of.anchors)
-    for (std::vector<int>* stack : {&anchor.heads, &anchor.feet})
-      if (!stack->empty() && tube.side[static_cast<std::size_t>(stack->front())] < 0)
-        std::reverse(stack->begin(), stack->end());
-  for (YarnStep& step : of.steps) {
-    const int heading = of.loops[static_cast<std::size_t>(step.to)].heading;
-    int ahead =
-        heading * (tube.column[static_cast<std::size_t>(step.to)] - tube.column[static_cast<std::size_t>(step.from)]);
-    ahead -= tube.round * static_cast<int>(std::lround(static_cast<double>(ahead) / tube.round));
-    step.turns = of.loops[static_cast<std::size_t>(step.from)].heading != heading || ahead < 0;
-    step.apart = std::max(1, std::abs(ahead));
-  }
-}
-
 /// Finds where everything lies: stitches pull their neighbours to the distances of a loose fabric.
 class Arranging {
  public:
@@ -115,7 +94,7 @@ class Arranging {
     levels_ = levels_of(graph_, of_, chained_, one_over_other * diameter_);
     place(1, upwards());
     if (layered_) lift();
-    turn_up();
+    turn_up(of_, raised_, size_);
     find_waiting();
     for (std::size_t i = 0; i < of_.loops.size(); ++i) of_.loops[i].chained = chained_[i];
   }
@@ -260,42 +239,6 @@ class Arranging {
       if (std::abs(feet.y() - facing.y()) < over_other / 2 * size_.pitch) above.push_back(&feet);
     }
     for (Vec3* feet : above) feet->y() += over_other * size_.pitch;
-  }
-
-  /// Loops stand upright on their row, whichever way they lean; where there is none, as they lean themselves.
-  void turn_up() {
-    const std::vector<Vec3> lean = leans(), row = rows();
-    for (std::size_t i = 0; i < lean.size(); ++i) {
-      const Vec3 up = row[i].norm() > 1e-3 * size_.pitch ? Vec3(-row[i].y(), row[i].x(), 0) : lean[i];
-      if (up.norm() > 1e-3 * size_.pitch) of_.anchors[i].up = up.normalized();
-    }
-  }
-
-  std::vector<Vec3> leans() const {
-    std::vector<Vec3> lean(of_.anchors.size(), Vec3(0, size_.pitch, 0));
-    for (const Hanging& loop : of_.loops) {
-      if (loop.passes) continue;
-      Vec3 rise = of_.strip.near(anchor(loop.feet).x(), anchor(loop.head)) - anchor(loop.feet);
-      rise.z() = 0;
-      lean[static_cast<std::size_t>(loop.feet)] += rise;
-      lean[static_cast<std::size_t>(loop.head)] += rise;
-    }
-    return lean;
-  }
-
-  /// From left to right along the row that has its feet at each anchor. The loops of a bind-off lie across it.
-  std::vector<Vec3> rows() const {
-    std::vector<Vec3> row(of_.anchors.size(), Vec3::Zero());
-    for (const YarnStep& step : of_.steps) {
-      const auto from = static_cast<std::size_t>(step.from), to = static_cast<std::size_t>(step.to);
-      if (step.turns || step.apart > 2 || raised_[from] != raised_[to]) continue;
-      const Vec3& at_from = anchor(at(step.from).feet);
-      const Vec3 along = at(step.to).heading * (of_.strip.near(at_from.x(), anchor(at(step.to).feet)) - at_from);
-      if (along.x() <= 0 || std::abs(along.y()) > size_.pitch) continue;
-      for (const int feet : {at(step.from).feet, at(step.to).feet})
-        row[static_cast<std::size_t>(feet)] += Vec3(along.x(), along.y(), 0);
-    }
-    return row;
   }
 
   void find_waiting() {

@@ -118,4 +118,25 @@ std::optional<Tube> find_tube(const StitchGraph& graph) {
   return tube;
 }
 
+void see_from_outside(const Tube& tube, Arrangement& of) {
+  for (std::size_t i = 0; i < of.loops.size(); ++i) {
+    of.loops[i].half = tube.side[i];
+    of.loops[i].sign *= tube.side[i];
+    of.loops[i].heading *= tube.side[i];
+    of.loops[i].passes *= tube.side[i];
+  }
+  for (Anchor& anchor : of.anchors)
+    for (std::vector<int>* stack : {&anchor.heads, &anchor.feet})
+      if (!stack->empty() && tube.side[static_cast<std::size_t>(stack->front())] < 0)
+        std::reverse(stack->begin(), stack->end());
+  for (YarnStep& step : of.steps) {
+    const int heading = of.loops[static_cast<std::size_t>(step.to)].heading;
+    int ahead =
+        heading * (tube.column[static_cast<std::size_t>(step.to)] - tube.column[static_cast<std::size_t>(step.from)]);
+    ahead -= tube.round * static_cast<int>(std::lround(static_cast<double>(ahead) / tube.round));
+    step.turns = of.loops[static_cast<std::size_t>(step.from)].heading != heading || ahead < 0;
+    step.apart = std::max(1, std::abs(ahead));
+  }
+}
+
 }  // namespace wale

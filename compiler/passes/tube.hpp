@@ -21,4 +21,7 @@ struct Tube {
 /// bag that its cast-on closes; it is drawn as it lies on the needles.
 std::optional<Tube> find_tube(const StitchGraph&);
 
+/// Turns what lies in the back half round: it runs the other way there, and shows its knits to the back.
+void see_from_outside(const Tube&, Arrangement&);
+
 }  // namespace wale
