@@ -46,9 +46,9 @@ std::optional<Compiled> draw(std::string name, Program program, StitchGraph grap
     return std::nullopt;
   }
   Fabric fabric = passes::fit(curves, yarns, segments_per_stitch);
-  auto crossings = demanded_crossings(graph, arrangement, fabric);
-  passes::prove(graph, fabric, crossings, say);
+  passes::prove(graph, fabric, demanded_crossings(graph, arrangement, fabric), say);
   if (say.error_count() > errors) return std::nullopt;
+  auto crossings = lasting_crossings(graph, arrangement, fabric);
   return Compiled{std::move(name), std::move(program),  std::move(graph), std::move(arrangement), std::move(fabric),
                   Gauge{},         std::move(crossings)};
 }

@@ -1,6 +1,7 @@
 #include "compiler/demand.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -34,10 +35,8 @@ struct Neighbours {
   }
 };
 
-}  // namespace
-
-std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Arrangement& arrangement,
-                                         const Fabric& fabric) {
+std::vector<Crossing> crossings_of(const StitchGraph& graph, const Arrangement& arrangement, const Fabric& fabric,
+                                   const std::function<bool(const Loop&)>& wanted) {
   const auto ranges = ranges_by_stitch(fabric);
   const Neighbours along_yarn(graph);
   const auto head = [](const Range& of) { return (of.first + of.last + 1) / 2; };
@@ -65,6 +64,7 @@ std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Arrange
   std::vector<Crossing> crossings;
   for (int i = 0; i < static_cast<int>(graph.loops.size()); ++i) {
     const Loop& child = graph.loops[static_cast<std::size_t>(i)];
+    if (!wanted(child)) continue;
     const std::optional<int> start = start_of_side(i), end = end_of_side(i);
     const int middle = head(ranges.at(i));
     for (const int parent : child.through) {
@@ -80,6 +80,18 @@ std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Arrange
     }
   }
   return crossings;
+}
+
+}  // namespace
+
+std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Arrangement& arrangement,
+                                         const Fabric& fabric) {
+  return crossings_of(graph, arrangement, fabric, [](const Loop&) { return true; });
+}
+
+std::vector<Crossing> lasting_crossings(const StitchGraph& graph, const Arrangement& arrangement,
+                                        const Fabric& fabric) {
+  return crossings_of(graph, arrangement, fabric, [](const Loop& loop) { return !loop.dropped; });
 }
 
 Gauge gauge_of(const StitchGraph& graph, const Fabric& fabric) {

@@ -12,6 +12,9 @@ namespace wale {
 
 /// Both sides of every loop that is pulled through another; at a selvedge only the inner side.
 std::vector<Crossing> demanded_crossings(const StitchGraph&, const Arrangement&, const Fabric&);
+/// The same without those of dropped loops, which run out of the loops that they were pulled through as the fabric
+/// comes to rest.
+std::vector<Crossing> lasting_crossings(const StitchGraph&, const Arrangement&, const Fabric&);
 
 /// The ends of a swatch: cast-on and first course, last course and bind-off; the first and the last wale with the yarn
 /// that joins courses there. A tube has no course ends.
