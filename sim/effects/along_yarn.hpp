@@ -37,7 +37,8 @@ struct Curvature {
 /// `curvature` may be null; `convex` asks for a positive semidefinite one.
 template <class L>
 concept Law = requires(const L& law, const Site& at, Slope& slope, Curvature* curvature, bool convex) {
-  { L::elastic } -> std::convertible_to<bool>;  // true: depends on position; false: on velocity
+  { L::elastic } -> std::convertible_to<bool>;    // true: depends on position; false: on velocity
+  { L::derivative } -> std::convertible_to<int>;  // 0: it depends on y or v alone, 1: on y' alone, 2: on y' and y''
   { law.name() } -> std::convertible_to<std::string_view>;
   { law(at, slope, curvature, convex) } -> std::same_as<void>;
 };
@@ -57,34 +58,38 @@ class AlongYarn final : public Effect {
       first_site_.push_back(sites_);
       sites_ += static_cast<int>(rule_of(segment).nodes.size());
     }
+    colour();
   }
 
   std::string_view name() const override { return law_.name(); }
 
   void add(const State& at, Load& out) const override {
-    const int count = static_cast<int>(segments_.size());
-    std::vector<Local> locals(static_cast<std::size_t>(count));
-    std::vector<LocalSecond> seconds(out.stiffness || out.damping ? static_cast<std::size_t>(count) : 0);
+    const std::vector<int>* places[2] = {nullptr, nullptr};
+    Stiffness* const second[2] = {L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
+    for (std::size_t m = 0; m < 2; ++m)
+      if (second[m]) places[m] = &places_in(*second[m]);
+    std::vector<Scalars> scalars(segments_.size());
+    for (const std::vector<int>& of_one_colour : colours_) {
+      const int count = static_cast<int>(of_one_colour.size());
 #pragma omp parallel for schedule(static) if (count > few)
-    for (int i = 0; i < count; ++i)
-      integrate(at, i, out.convex, locals[static_cast<std::size_t>(i)],
-                seconds.empty() ? nullptr : &seconds[static_cast<std::size_t>(i)]);
-    gather(locals, seconds, out);
+      for (int c = 0; c < count; ++c) {
+        const int i = of_one_colour[static_cast<std::size_t>(c)];
+        add_slopes(at, i, out.force, scalars[static_cast<std::size_t>(i)]);
+        for (std::size_t m = 0; m < 2; ++m)
+          if (second[m]) add_second(at, i, m == 1, *places[m], *second[m]);
+      }
+    }
+    for (const Scalars& of : scalars) {
+      if (out.energy) *out.energy += of.energy;
+      if (out.dissipation) *out.dissipation += of.dissipation;
+    }
   }
 
  private:
-  static constexpr int few = 64;  // segments for which threads cost more than they save
-  struct Local {
+  static constexpr int few = 64;             // segments for which threads cost more than they save
+  static constexpr std::size_t blocks = 10;  // (j, k) with j <= k of a segment's four control points, row by row
+  struct Scalars {
     double energy = 0, dissipation = 0;
-    Eigen::Matrix<double, 3, 4> force = Eigen::Matrix<double, 3, 4>::Zero();
-  };
-  /// Blocks (a, b) with a <= b of the four control points, row by row.
-  struct LocalSecond {
-    std::array<Mat3, 10> stiffness, damping;
-    LocalSecond() {
-      stiffness.fill(Mat3::Zero());
-      damping.fill(Mat3::Zero());
-    }
   };
 
   struct Rule {
@@ -95,6 +100,37 @@ class AlongYarn final : public Effect {
     }
   };
 
+  /// Segments of one colour share no control point, so threads may add them at the same time.
+  void colour() {
+    std::vector<std::vector<bool>> taken;  // by colour and control point
+    for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
+      const auto first = static_cast<std::size_t>(first_point(i));
+      std::size_t c = 0;
+      const auto is_taken = [&] {
+        for (std::size_t k = first; k < first + 4; ++k)
+          if (taken[c][k]) return true;
+        return false;
+      };
+      while (c < taken.size() && is_taken()) ++c;
+      if (c == taken.size()) {
+        taken.emplace_back(static_cast<std::size_t>(parts_.fabric.points.cols()));
+        colours_.emplace_back();
+      }
+      for (std::size_t k = first; k < first + 4; ++k) taken[c][k] = true;
+      colours_[c].push_back(i);
+    }
+  }
+
+  int first_point(int i) const { return parts_.fabric.first_point(segments_[static_cast<std::size_t>(i)]); }
+
+  const std::vector<int>& places_in(Stiffness& matrix) const {
+    return matrix.places(this, 0, [&](std::vector<int>& slots) {
+      for (int i = 0; i < static_cast<int>(segments_.size()); ++i)
+        for (int j = 0; j < 4; ++j)
+          for (int k = j; k < 4; ++k) slots.push_back(matrix.slot(first_point(i) + j, first_point(i) + k));
+    });
+  }
+
   const Rule& rule_of(int segment) const {
     const Yarn& yarn = parts_.fabric.yarns[static_cast<std::size_t>(parts_.fabric.segment(segment).yarn)];
     const int place = segment - yarn.first_segment;
@@ -103,7 +139,7 @@ class AlongYarn final : public Effect {
 
   Site site(const State& at, int i, std::size_t node, const Basis& b) const {
     const int segment = segments_[static_cast<std::size_t>(i)];
-    const int first = parts_.fabric.first_point(segment);
+    const int first = first_point(i);
     return {combine(at.q, first, b.value),
             combine(at.q, first, b.first),
             combine(at.q, first, b.second),
@@ -116,48 +152,41 @@ class AlongYarn final : public Effect {
             first_site_[static_cast<std::size_t>(i)] + static_cast<int>(node)};
   }
 
-  void integrate(const State& at, int i, bool convex, Local& local, LocalSecond* second) const {
+  void add_slopes(const State& at, int i, Points* force, Scalars& scalars) const {
     const Rule& rule = rule_of(segments_[static_cast<std::size_t>(i)]);
     for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
       const double w = rule.nodes[node].weight;
       const Basis& b = rule.bases[node];
       Slope slope;
-      Curvature curvature;
-      law_(site(at, i, node, b), slope, second ? &curvature : nullptr, convex);
-      local.energy += w * slope.energy;
-      local.dissipation += w * slope.dissipation;
+      law_(site(at, i, node, b), slope, nullptr, false);
+      scalars.energy += w * slope.energy;
+      scalars.dissipation += w * slope.dissipation;
+      if (!force) continue;
       for (std::size_t k = 0; k < 4; ++k)
-        local.force.col(static_cast<Eigen::Index>(k)) -=
+        force->col(first_point(i) + static_cast<int>(k)) -=
             w * (b.value[k] * (slope.y + slope.v) + b.first[k] * slope.dy + b.second[k] * slope.ddy);
-      if (second) add_second(w, b, curvature, *second);
     }
   }
 
-  static void add_second(double w, const Basis& b, const Curvature& c, LocalSecond& second) {
-    std::size_t block = 0;
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t k = j; k < 4; ++k, ++block) {
-        second.stiffness[block] +=
-            w *
-            (b.value[j] * b.value[k] * c.y_y + b.first[j] * b.first[k] * c.dy_dy + b.first[j] * b.second[k] * c.dy_ddy +
-             b.second[j] * b.first[k] * c.dy_ddy.transpose() + b.second[j] * b.second[k] * c.ddy_ddy);
-        second.damping[block] += w * b.value[j] * b.value[k] * c.v_v;
-      }
-  }
-
-  void gather(const std::vector<Local>& locals, const std::vector<LocalSecond>& seconds, Load& out) const {
-    for (std::size_t i = 0; i < locals.size(); ++i) {
-      const int first = parts_.fabric.first_point(segments_[i]);
-      if (out.energy) *out.energy += locals[i].energy;
-      if (out.dissipation) *out.dissipation += locals[i].dissipation;
-      if (out.force) out.force->middleCols<4>(first) += locals[i].force;
-      if (seconds.empty()) continue;
-      std::size_t block = 0;
-      for (int j = 0; j < 4; ++j)
-        for (int k = j; k < 4; ++k, ++block) {
-          if (out.stiffness && L::elastic) out.stiffness->add(first + j, first + k, seconds[i].stiffness[block]);
-          if (out.damping && !L::elastic) out.damping->add(first + j, first + k, seconds[i].damping[block]);
+  void add_second(const State& at, int i, bool convex, const std::vector<int>& places, Stiffness& out) const {
+    const Rule& rule = rule_of(segments_[static_cast<std::size_t>(i)]);
+    for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
+      const double w = rule.nodes[node].weight;
+      const Basis& b = rule.bases[node];
+      Slope slope;
+      Curvature c;
+      law_(site(at, i, node, b), slope, &c, convex);
+      std::size_t place = static_cast<std::size_t>(i) * blocks;
+      for (std::size_t j = 0; j < 4; ++j) {
+        const Mat3 by_y = w * b.value[j] * (L::elastic ? c.y_y : c.v_v);
+        const Mat3 by_dy = w * (b.first[j] * c.dy_dy + b.second[j] * c.dy_ddy.transpose());
+        const Mat3 by_ddy = w * (b.first[j] * c.dy_ddy + b.second[j] * c.ddy_ddy);
+        for (std::size_t k = j; k < 4; ++k, ++place) {
+          if constexpr (L::derivative == 0) out.add_at(places[place], b.value[k] * by_y);
+          if constexpr (L::derivative == 1) out.add_at(places[place], b.first[k] * by_dy);
+          if constexpr (L::derivative == 2) out.add_at(places[place], b.first[k] * by_dy + b.second[k] * by_ddy);
         }
+      }
     }
   }
 
@@ -165,6 +194,7 @@ class AlongYarn final : public Effect {
   const Parts& parts_;
   Rule inner_, end_;
   std::vector<int> segments_, first_site_;
+  std::vector<std::vector<int>> colours_;  // places in segments_
   int sites_ = 0;
 };
 
