@@ -18,13 +18,6 @@ Stiffness::Stiffness(int points) : rows_(static_cast<std::size_t>(points)) {}
 
 void Stiffness::clear() { std::fill(values_.begin(), values_.end(), Mat3(Mat3::Zero())); }
 
-void Stiffness::forget() {
-  for (auto& row : rows_) row.clear();
-  values_.clear();
-  places_.clear();
-  ++version_;
-}
-
 int Stiffness::slot(int i, int j) {
   assert(i <= j);
   const auto& row = rows_[static_cast<std::size_t>(i)];
@@ -36,6 +29,15 @@ int Stiffness::slot(int i, int j) {
   values_.emplace_back(Mat3::Zero());
   ++version_;
   return made;
+}
+
+void Stiffness::slots(int i, int j, int count, std::vector<int>& out) {
+  const auto& row = rows_[static_cast<std::size_t>(i)];
+  auto at = static_cast<std::size_t>(find(row, j) - row.begin());
+  for (const int end = j + count; j < end; ++j, ++at) {
+    if (at == row.size() || row[at].column != j) slot(i, j);
+    out.push_back(row[at].slot);
+  }
 }
 
 void Stiffness::enter(int row, int column, int slot) {

@@ -11,20 +11,20 @@
 namespace wale {
 
 /// 3M x 3M, symmetric; blocks (i, j) with i <= j are stored. Blocks that were never touched are zero.
-/// A block keeps its slot until forget(), so a caller that adds to the same blocks again and again need look for them
-/// once only: see places().
+/// A block keeps its slot, so a caller that adds to the same blocks again and again need look for them once only: see
+/// places().
 class Stiffness {
  public:
   explicit Stiffness(int points);
 
   /// Sets every value to zero and keeps the pattern.
   void clear();
-  /// Forgets the pattern too.
-  void forget();
   /// Adds to block (i, j), i <= j; block (j, i) follows by symmetry. A diagonal block must be symmetric.
   void add(int i, int j, const Mat3& block) { add_at(slot(i, j), block); }
   /// Where block (i, j), i <= j, lies; made if it is new.
   int slot(int i, int j);
+  /// Appends the slots of blocks (i, j) ... (i, j + count - 1).
+  void slots(int i, int j, int count, std::vector<int>& out);
   void add_at(int slot, const Mat3& block) { values_[static_cast<std::size_t>(slot)] += block; }
   const Mat3& at(int slot) const { return values_[static_cast<std::size_t>(slot)]; }
 

@@ -126,8 +126,7 @@ class AlongYarn final : public Effect {
   const std::vector<int>& places_in(Stiffness& matrix) const {
     return matrix.places(this, 0, [&](std::vector<int>& slots) {
       for (int i = 0; i < static_cast<int>(segments_.size()); ++i)
-        for (int j = 0; j < 4; ++j)
-          for (int k = j; k < 4; ++k) slots.push_back(matrix.slot(first_point(i) + j, first_point(i) + k));
+        for (int j = 0; j < 4; ++j) matrix.slots(first_point(i) + j, first_point(i) + j, 4 - j, slots);
     });
   }
 

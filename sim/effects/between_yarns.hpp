@@ -51,8 +51,8 @@ class BetweenYarns final : public Effect {
   double closest() const override { return beads_->closest(); }
 
   void add(const State& at, Load& out) const override {
-    Stiffness* const second[2] = {L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
-    const std::vector<int>* places[2] = {nullptr, nullptr};
+    const std::array<Stiffness*, 2> second{L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
+    std::array<const std::vector<int>*, 2> places{};
     for (std::size_t m = 0; m < 2; ++m)
       if (second[m]) places[m] = &places_in(*second[m]);
     const std::vector<Contact> contacts = touching(at);
@@ -70,8 +70,7 @@ class BetweenYarns final : public Effect {
         }
       }
       gather(some, slopes, out);
-      for (std::size_t m = 0; m < 2; ++m)
-        if (second[m]) gather(some, blocks, m, *places[m], *second[m]);
+      if (!blocks.empty()) gather(some, blocks, places, second);
     }
   }
 
@@ -189,19 +188,21 @@ class BetweenYarns final : public Effect {
     }
   }
 
-  void gather(std::span<const Contact> contacts, const std::vector<Blocks>& blocks, std::size_t which,
-              const std::vector<int>& places, Stiffness& out) const {
-    share_rows(out.points(), [&](int first, int last) {
+  void gather(std::span<const Contact> contacts, const std::vector<Blocks>& blocks,
+              const std::array<const std::vector<int>*, 2>& places, const std::array<Stiffness*, 2>& out) const {
+    share_rows(static_cast<int>(parts_.fabric.points.cols()), [&](int first, int last) {
       for (std::size_t c = 0; c < contacts.size(); ++c) {
-        std::size_t block = 0;
         const SegmentPair& pair = pair_of(contacts[c]);
+        std::size_t block = 0;
         for (int j = 0; j < 8; ++j)
           for (int k = j; k < 8; ++k, ++block) {
             const int p = point(pair, j), q = point(pair, k), row = std::min(p, q);
             if (row < first || row >= last) continue;
             // The two segments may share a control point.
             const double times = p == q && j != k ? 2 : 1;
-            out.add_at(places[contacts[c].pair * 36 + block], times * one_of(blocks[c][block], which));
+            for (std::size_t m = 0; m < 2; ++m)
+              if (out[m])
+                out[m]->add_at((*places[m])[contacts[c].pair * 36 + block], times * one_of(blocks[c][block], m));
           }
       }
     });
@@ -216,15 +217,28 @@ class BetweenYarns final : public Effect {
 
   int point(const SegmentPair& pair, int k) const { return parts_.fabric.first_point(k < 4 ? pair.a : pair.b) + k % 4; }
 
+  void list(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
+    const int a = point(pair, 0), b = point(pair, 4);
+    if (a + 4 > b && b + 4 > a) return list_overlapping(pair, matrix, slots);
+    for (int j = 0; j < 4; ++j) {
+      matrix.slots(a + j, a + j, 4 - j, slots);
+      matrix.slots(a + j, b, 4, slots);
+    }
+    for (int j = 0; j < 4; ++j) matrix.slots(b + j, b + j, 4 - j, slots);
+  }
+
+  void list_overlapping(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
+    for (int j = 0; j < 8; ++j)
+      for (int k = j; k < 8; ++k) {
+        const int p = point(pair, j), q = point(pair, k);
+        slots.push_back(matrix.slot(std::min(p, q), std::max(p, q)));
+      }
+  }
+
   /// The slots of every listed pair, touching or not, so that the pattern changes only with the list.
   const std::vector<int>& places_in(Stiffness& matrix) const {
     return matrix.places(this, beads_->version(), [&](std::vector<int>& slots) {
-      for (const SegmentPair& pair : beads_->pairs())
-        for (int j = 0; j < 8; ++j)
-          for (int k = j; k < 8; ++k) {
-            const int p = point(pair, j), q = point(pair, k);
-            slots.push_back(matrix.slot(std::min(p, q), std::max(p, q)));
-          }
+      for (const SegmentPair& pair : beads_->pairs()) list(pair, matrix, slots);
     });
   }
 

@@ -85,19 +85,15 @@ TEST(Stiffness, AsksForTheBlocksOfAnOwnerOnceAVersion) {
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(first, stiffness.places(&asked, 6, list));
   EXPECT_EQ(asked, 2);
-  stiffness.forget();
-  stiffness.places(&asked, 6, list);
-  EXPECT_EQ(asked, 3);
 }
 
-TEST(Stiffness, ForgetsItsPatternWhenAsked) {
+TEST(Stiffness, FindsARunOfBlocksWhetherTheyAreThereOrNot) {
   Stiffness stiffness = example();
-  const long before = stiffness.version();
-  stiffness.forget();
-  EXPECT_GT(stiffness.version(), before);
-  EXPECT_EQ(dense(stiffness), Eigen::MatrixXd::Zero(12, 12));
-  stiffness.add(1, 1, symmetric(1));
-  EXPECT_EQ(dense(stiffness).cwiseAbs().sum(), symmetric(1).cwiseAbs().sum());
+  std::vector<int> run;
+  stiffness.slots(0, 0, 4, run);
+  ASSERT_EQ(run.size(), 4U);
+  for (int j = 0; j < 4; ++j) EXPECT_EQ(run[static_cast<std::size_t>(j)], stiffness.slot(0, j));
+  EXPECT_EQ(dense(stiffness), expected());
 }
 
 }  // namespace
