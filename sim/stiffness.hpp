@@ -70,12 +70,12 @@ class Stiffness {
   long version_ = 0;
 };
 
-/// Calls `add(first, last)` on each thread with a range of block rows, which together are all of them. A thread that
-/// adds only to blocks (i, j) with first <= i < last, in an order that does not depend on the range, gives every
-/// block the same sum for any number of threads.
+/// Calls `add(first, last)` on each thread, or on one if the work is `little`, with a range of points; together they
+/// are all. A thread that adds only to columns and blocks (i, j) with first <= i < last, in an order that does not
+/// depend on the range, gives every sum the same bits for any number of threads.
 template <class Add>
-void share_rows(int points, const Add& add) {
-#pragma omp parallel
+void share_points(int points, bool little, const Add& add) {
+#pragma omp parallel if (!little)
   {
     const long threads = omp_get_num_threads(), mine = omp_get_thread_num();
     add(static_cast<int>(points * mine / threads), static_cast<int>(points * (mine + 1) / threads));

@@ -58,27 +58,28 @@ class AlongYarn final : public Effect {
       first_site_.push_back(sites_);
       sites_ += static_cast<int>(rule_of(segment).nodes.size());
     }
-    colour();
   }
 
   std::string_view name() const override { return law_.name(); }
 
   void add(const State& at, Load& out) const override {
-    const std::vector<int>* places[2] = {nullptr, nullptr};
-    Stiffness* const second[2] = {L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
+    const std::array<Stiffness*, 2> second{L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
+    std::array<const std::vector<int>*, 2> places{};
     for (std::size_t m = 0; m < 2; ++m)
       if (second[m]) places[m] = &places_in(*second[m]);
     std::vector<Scalars> scalars(segments_.size());
-    for (const std::vector<int>& of_one_colour : colours_) {
-      const int count = static_cast<int>(of_one_colour.size());
-#pragma omp parallel for schedule(static) if (count > few)
-      for (int c = 0; c < count; ++c) {
-        const int i = of_one_colour[static_cast<std::size_t>(c)];
-        add_slopes(at, i, out.force, scalars[static_cast<std::size_t>(i)]);
+    // Where two threads meet, both ask the law about the segments that reach across.
+    share_points(static_cast<int>(at.q.cols()), segments_.size() < few, [&](int from, int to) {
+      for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
+        const int first = first_point(i);
+        if (first + 4 <= from || first >= to) continue;
+        const Range mine{std::max(from - first, 0), std::min(to - first, 4)};
+        const Scalars of = add_slopes(at, i, mine, out.force);
+        if (mine.from == 0) scalars[static_cast<std::size_t>(i)] = of;
         for (std::size_t m = 0; m < 2; ++m)
-          if (second[m]) add_second(at, i, m == 1, *places[m], *second[m]);
+          if (second[m]) add_second(at, i, mine, m == 1, *places[m], *second[m]);
       }
-    }
+    });
     for (const Scalars& of : scalars) {
       if (out.energy) *out.energy += of.energy;
       if (out.dissipation) *out.dissipation += of.dissipation;
@@ -86,10 +87,13 @@ class AlongYarn final : public Effect {
   }
 
  private:
-  static constexpr int few = 64;             // segments for which threads cost more than they save
-  static constexpr std::size_t blocks = 10;  // (j, k) with j <= k of a segment's four control points, row by row
+  static constexpr std::size_t few = 256;  // segments for which threads cost more than they save
   struct Scalars {
     double energy = 0, dissipation = 0;
+  };
+  /// Of the four control points of a segment: those that a thread adds to.
+  struct Range {
+    int from = 0, to = 0;
   };
 
   struct Rule {
@@ -99,27 +103,6 @@ class AlongYarn final : public Effect {
       for (const GaussNode& node : nodes) bases.push_back(basis(node.s));
     }
   };
-
-  /// Segments of one colour share no control point, so threads may add them at the same time.
-  void colour() {
-    std::vector<std::vector<bool>> taken;  // by colour and control point
-    for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
-      const auto first = static_cast<std::size_t>(first_point(i));
-      std::size_t c = 0;
-      const auto is_taken = [&] {
-        for (std::size_t k = first; k < first + 4; ++k)
-          if (taken[c][k]) return true;
-        return false;
-      };
-      while (c < taken.size() && is_taken()) ++c;
-      if (c == taken.size()) {
-        taken.emplace_back(static_cast<std::size_t>(parts_.fabric.points.cols()));
-        colours_.emplace_back();
-      }
-      for (std::size_t k = first; k < first + 4; ++k) taken[c][k] = true;
-      colours_[c].push_back(i);
-    }
-  }
 
   int first_point(int i) const { return parts_.fabric.first_point(segments_[static_cast<std::size_t>(i)]); }
 
@@ -151,23 +134,30 @@ class AlongYarn final : public Effect {
             first_site_[static_cast<std::size_t>(i)] + static_cast<int>(node)};
   }
 
-  void add_slopes(const State& at, int i, Points* force, Scalars& scalars) const {
+  Scalars add_slopes(const State& at, int i, Range mine, Points* force) const {
     const Rule& rule = rule_of(segments_[static_cast<std::size_t>(i)]);
+    Scalars sum;
     for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
       const double w = rule.nodes[node].weight;
       const Basis& b = rule.bases[node];
       Slope slope;
       law_(site(at, i, node, b), slope, nullptr, false);
-      scalars.energy += w * slope.energy;
-      scalars.dissipation += w * slope.dissipation;
+      sum.energy += w * slope.energy;
+      sum.dissipation += w * slope.dissipation;
       if (!force) continue;
-      for (std::size_t k = 0; k < 4; ++k)
-        force->col(first_point(i) + static_cast<int>(k)) -=
+      for (int point = mine.from; point < mine.to; ++point) {
+        const auto k = static_cast<std::size_t>(point);
+        force->col(first_point(i) + point) -=
             w * (b.value[k] * (slope.y + slope.v) + b.first[k] * slope.dy + b.second[k] * slope.ddy);
+      }
     }
+    return sum;
   }
 
-  void add_second(const State& at, int i, bool convex, const std::vector<int>& places, Stiffness& out) const {
+  void add_second(const State& at, int i, Range mine, bool convex, const std::vector<int>& places,
+                  Stiffness& out) const {
+    // Blocks (j, k) with j <= k of the segment, row by row: so many lie before each row.
+    constexpr std::array<std::size_t, 4> before{0, 4, 7, 9};
     const Rule& rule = rule_of(segments_[static_cast<std::size_t>(i)]);
     for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
       const double w = rule.nodes[node].weight;
@@ -175,8 +165,8 @@ class AlongYarn final : public Effect {
       Slope slope;
       Curvature c;
       law_(site(at, i, node, b), slope, &c, convex);
-      std::size_t place = static_cast<std::size_t>(i) * blocks;
-      for (std::size_t j = 0; j < 4; ++j) {
+      for (auto j = static_cast<std::size_t>(mine.from); j < static_cast<std::size_t>(mine.to); ++j) {
+        std::size_t place = static_cast<std::size_t>(i) * 10 + before[j];
         const Mat3 by_y = w * b.value[j] * (L::elastic ? c.y_y : c.v_v);
         const Mat3 by_dy = w * (b.first[j] * c.dy_dy + b.second[j] * c.dy_ddy.transpose());
         const Mat3 by_ddy = w * (b.first[j] * c.dy_ddy + b.second[j] * c.ddy_ddy);
@@ -193,7 +183,6 @@ class AlongYarn final : public Effect {
   const Parts& parts_;
   Rule inner_, end_;
   std::vector<int> segments_, first_site_;
-  std::vector<std::vector<int>> colours_;  // places in segments_
   int sites_ = 0;
 };
 

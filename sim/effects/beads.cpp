@@ -118,25 +118,23 @@ void Beads::find_pairs() {
   for (int a = 0; a < fabric_.segment_count(); ++a) {
     auto& mine = partners[index(a)];
     for (int k = 0; k < count(a); ++k)
-      grid.near(at_.col(first_bead_[index(a)] + k), [&](int bead) {
+      grid.near(position(a, k), [&](int bead) {
         const int b = segment_of_[index(bead)];
-        if (b > a && (mine.empty() || mine.back() != b)) mine.push_back(b);
+        if (b > a && (mine.empty() || mine.back() != b) && is_within_reach(a, k, bead)) mine.push_back(b);
       });
     std::sort(mine.begin(), mine.end());
     mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-    std::erase_if(mine, [&](int b) { return !within_reach(a, b); });
   }
   pairs_.clear();
   for (int a = 0; a < fabric_.segment_count(); ++a)
     for (const int b : partners[index(a)]) pairs_.push_back({a, b});
 }
 
-bool Beads::within_reach(int a, int b) const {
+bool Beads::is_within_reach(int a, int bead_a, int other) const {
+  const int b = segment_of_[index(other)];
   const double reach = diameter(a, b) + skin_;
-  for (int i = 0; i < count(a); ++i)
-    for (int j = 0; j < count(b); ++j)
-      if (!screened(a, i, b, j) && (position(a, i) - position(b, j)).squaredNorm() < reach * reach) return true;
-  return false;
+  return (position(a, bead_a) - at_.col(other)).squaredNorm() < reach * reach &&
+         !screened(a, bead_a, b, other - first_bead_[index(b)]);
 }
 
 double Beads::distance_between(const SegmentPair& pair) const {

@@ -58,7 +58,7 @@ class Beads {
   double arc(int segment, int bead) const { return arc_[index(first_bead_[index(segment)] + bead)]; }
   void locate(const Points& q);
   void find_pairs();
-  bool within_reach(int a, int b) const;
+  bool is_within_reach(int a, int bead_a, int other) const;  // `other` counts over all segments
   double distance_between(const SegmentPair&) const;
 
   const Fabric& fabric_;

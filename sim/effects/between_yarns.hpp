@@ -56,8 +56,10 @@ class BetweenYarns final : public Effect {
     for (std::size_t m = 0; m < 2; ++m)
       if (second[m]) places[m] = &places_in(*second[m]);
     const std::vector<Contact> contacts = touching(at);
-    std::vector<Slopes> slopes(std::min(contacts.size(), batch));
-    std::vector<Blocks> blocks(second[0] || second[1] ? slopes.size() : 0);
+    const bool blocks_wanted = second[0] || second[1];
+    const std::size_t batch = blocks_wanted ? std::min(contacts.size(), most_blocks) : contacts.size();
+    std::vector<Slopes> slopes(batch);
+    std::vector<Blocks> blocks(blocks_wanted ? batch : 0);
     for (std::size_t first = 0; first < contacts.size(); first += batch) {
       const std::span<const Contact> some(contacts.data() + first, std::min(batch, contacts.size() - first));
 #pragma omp parallel if (some.size() > few)
@@ -75,8 +77,8 @@ class BetweenYarns final : public Effect {
   }
 
  private:
-  static constexpr std::size_t few = 64;     // pairs for which threads cost more than they save
-  static constexpr std::size_t batch = 256;  // pairs whose blocks fit a core's cache
+  static constexpr std::size_t few = 64;           // pairs for which threads cost more than they save
+  static constexpr std::size_t most_blocks = 512;  // pairs whose blocks fit a core's cache
   using Quad = Eigen::Matrix<double, 3, 4>;
   /// Two symmetric 3 x 3 matrices by their upper triangles, row by row: the exact and the convex second slope.
   using Twin = Eigen::Array<double, 12, 1>;
@@ -190,7 +192,7 @@ class BetweenYarns final : public Effect {
 
   void gather(std::span<const Contact> contacts, const std::vector<Blocks>& blocks,
               const std::array<const std::vector<int>*, 2>& places, const std::array<Stiffness*, 2>& out) const {
-    share_rows(static_cast<int>(parts_.fabric.points.cols()), [&](int first, int last) {
+    share_points(static_cast<int>(parts_.fabric.points.cols()), contacts.size() < few, [&](int first, int last) {
       for (std::size_t c = 0; c < contacts.size(); ++c) {
         const SegmentPair& pair = pair_of(contacts[c]);
         std::size_t block = 0;

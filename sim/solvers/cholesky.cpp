@@ -14,7 +14,7 @@ namespace {
 // Of a front, in scalars: wide enough for BLAS to be fast, narrow enough to share a front among threads.
 constexpr int tile = 144;
 // Blocks that are kept in the order of elimination, over those that are used.
-constexpr double most_idle = 1.1;
+constexpr double most_idle = 1.3;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
