@@ -90,8 +90,18 @@ TEST(Cholesky, GivesTheSameBitsForAnyNumberOfThreads) {
     return solved(cholesky, b);
   };
   const Eigen::VectorXd one = with(1);
+  EXPECT_EQ(with(1), one);
   EXPECT_EQ(with(2), one);
   EXPECT_EQ(with(3), one);
+}
+
+TEST(Cholesky, LeavesTheThreadsOfItsCallerAsTheyAre) {
+  const int levels = omp_get_max_active_levels(), threads = omp_get_max_threads();
+  Cholesky cholesky;
+  ASSERT_TRUE(cholesky.factor(Ties(40, 17, 3).matrix(), 1));
+  solved(cholesky, Eigen::VectorXd::Ones(120));
+  EXPECT_EQ(omp_get_max_active_levels(), levels);
+  EXPECT_EQ(omp_get_max_threads(), threads);
 }
 
 }  // namespace
