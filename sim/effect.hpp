@@ -22,7 +22,7 @@ struct Load {
   Stiffness* stiffness = nullptr;  ///< second derivative of V by q, N/m
   Stiffness* damping = nullptr;    ///< second derivative of D by v, N s/m
   double* dissipation = nullptr;   ///< D, W: the Rayleigh function; power lost is 2 D
-  bool convex = false;             ///< leave out of the stiffness what would make it indefinite (Gauss-Newton)
+  Stiffness* convex = nullptr;     ///< the stiffness less all that could make it indefinite (Gauss-Newton), N/m
 };
 
 /// Something that acts on the yarns: a stiffness, a contact, a grip, the air.

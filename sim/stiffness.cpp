@@ -3,61 +3,62 @@
 #include <algorithm>
 
 namespace wale {
+namespace {
 
-Stiffness::Stiffness(int points) : columns_(static_cast<std::size_t>(points)) {}
+constexpr int few = 64;  // points for which threads cost more than they save
+
+std::vector<Stiffness::Entry>::const_iterator find(const std::vector<Stiffness::Entry>& row, int column) {
+  return std::lower_bound(row.begin(), row.end(), column,
+                          [](const Stiffness::Entry& entry, int wanted) { return entry.column < wanted; });
+}
+
+}  // namespace
+
+Stiffness::Stiffness(int points) : rows_(static_cast<std::size_t>(points)) {}
 
 void Stiffness::clear() { std::fill(values_.begin(), values_.end(), Mat3(Mat3::Zero())); }
 
-void Stiffness::forget() {
-  for (auto& column : columns_) column.clear();
-  values_.clear();
-  admitted_.clear();
-  ++version_;
-}
-
 int Stiffness::slot(int i, int j) {
   assert(i <= j);
-  auto& column = columns_[static_cast<std::size_t>(j)];
-  const auto at =
-      std::lower_bound(column.begin(), column.end(), i, [](const Entry& entry, int row) { return entry.row < row; });
-  if (at != column.end() && at->row == i) return at->slot;
+  const auto& row = rows_[static_cast<std::size_t>(i)];
+  const auto at = find(row, j);
+  if (at != row.end() && at->column == j) return at->slot;
   const int made = static_cast<int>(values_.size());
-  column.insert(at, {i, made});
+  enter(i, j, made);
+  if (i != j) enter(j, i, made);
   values_.emplace_back(Mat3::Zero());
   ++version_;
   return made;
 }
 
-void Stiffness::compress(Compressed& out, long& out_version) const {
-  if (out_version != version_) {
-    out.start.assign(1, 0);
-    out.row.clear();
-    for (int j = 0; j < points(); ++j) {
-      for (int c = 0; c < 3; ++c) {
-        for (const Entry& entry : columns_[static_cast<std::size_t>(j)])
-          for (int r = 0; r < (entry.row == j ? c + 1 : 3); ++r) out.row.push_back(3 * entry.row + r);
-        out.start.push_back(static_cast<int>(out.row.size()));
-      }
-    }
-    out.value.resize(out.row.size());
-    out_version = version_;
+void Stiffness::slots(int i, int j, int count, std::vector<int>& out) {
+  const auto& row = rows_[static_cast<std::size_t>(i)];
+  auto at = static_cast<std::size_t>(find(row, j) - row.begin());
+  for (const int end = j + count; j < end; ++j, ++at) {
+    if (at == row.size() || row[at].column != j) slot(i, j);
+    out.push_back(row[at].slot);
   }
-  std::size_t at = 0;
-  for (int j = 0; j < points(); ++j)
-    for (int c = 0; c < 3; ++c)
-      for (const Entry& entry : columns_[static_cast<std::size_t>(j)])
-        for (int r = 0; r < (entry.row == j ? c + 1 : 3); ++r)
-          out.value[at++] = values_[static_cast<std::size_t>(entry.slot)](r, c);
+}
+
+void Stiffness::enter(int row, int column, int slot) {
+  auto& entries = rows_[static_cast<std::size_t>(row)];
+  entries.insert(find(entries, column), {column, slot});
 }
 
 void Stiffness::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
-  y.setZero(x.size());
-  for (int j = 0; j < points(); ++j)
-    for (const Entry& entry : columns_[static_cast<std::size_t>(j)]) {
-      const Mat3& block = values_[static_cast<std::size_t>(entry.slot)];
-      y.segment<3>(3 * entry.row) += block * x.segment<3>(3 * j);
-      if (entry.row != j) y.segment<3>(3 * j) += block.transpose() * x.segment<3>(3 * entry.row);
+  y.resize(x.size());
+#pragma omp parallel for schedule(static) if (points() > few)
+  for (int i = 0; i < points(); ++i) {
+    Vec3 sum = Vec3::Zero();
+    for (const Entry& entry : row(i)) {
+      const auto of = x.segment<3>(3 * entry.column);
+      if (entry.column < i)
+        sum += at(entry.slot).transpose() * of;
+      else
+        sum += at(entry.slot) * of;
     }
+    y.segment<3>(3 * i) = sum;
+  }
 }
 
 }  // namespace wale

@@ -1,59 +1,85 @@
 /// The sparse symmetric matrix of second derivatives, in 3 x 3 blocks on a pattern that is kept between uses.
 #pragma once
 
+#include <omp.h>
+
 #include <map>
-#include <utility>
 #include <vector>
 
 #include "sim/fabric.hpp"
 
 namespace wale {
 
-/// 3M x 3M, symmetric; the block upper triangle is stored. Blocks that were never touched are zero.
-/// Not for concurrent use: effects compute in parallel and add in order, so that the sum is the same every time.
+/// 3M x 3M, symmetric; blocks (i, j) with i <= j are stored. Blocks that were never touched are zero.
+/// A block keeps its slot, so a caller that adds to the same blocks again and again need look for them once only: see
+/// places().
 class Stiffness {
  public:
   explicit Stiffness(int points);
 
   /// Sets every value to zero and keeps the pattern.
   void clear();
-  /// Forgets the pattern too.
-  void forget();
   /// Adds to block (i, j), i <= j; block (j, i) follows by symmetry. A diagonal block must be symmetric.
-  void add(int i, int j, const Mat3& block) { values_[static_cast<std::size_t>(slot(i, j))] += block; }
-  /// Makes room for block (i, j), i <= j, that may be filled later, so that the pattern need not grow then.
-  void touch(int i, int j) { slot(i, j); }
+  void add(int i, int j, const Mat3& block) { add_at(slot(i, j), block); }
+  /// Where block (i, j), i <= j, lies; made if it is new.
+  int slot(int i, int j);
+  /// Appends the slots of blocks (i, j) ... (i, j + count - 1).
+  void slots(int i, int j, int count, std::vector<int>& out);
+  void add_at(int slot, const Mat3& block) { values_[static_cast<std::size_t>(slot)] += block; }
+  const Mat3& at(int slot) const { return values_[static_cast<std::size_t>(slot)]; }
 
-  /// True once for each `version` that `owner` comes with: then it should touch() its blocks.
-  bool admit(const void* owner, long version) {
-    auto [known, is_new] = admitted_.try_emplace(owner, version);
-    return is_new || std::exchange(known->second, version) != version;
+  /// The slots of all blocks that `owner` adds to. `list(slots)` is called to fill them when `owner` comes with a
+  /// `version` (of its own list of blocks) for the first time. The reference is good until the next call.
+  template <class List>
+  const std::vector<int>& places(const void* owner, long version, const List& list) {
+    auto [known, is_new] = places_.try_emplace(owner);
+    Places& of = known->second;
+    if (is_new || of.version != version) {
+      of.slots.clear();
+      list(of.slots);
+      of.version = version;
+    }
+    return of.slots;
   }
 
-  int points() const { return static_cast<int>(columns_.size()); }
-  /// Grows by one whenever the pattern changes: a symbolic factorisation is good for one version.
+  /// How many blocks there are.
+  std::size_t slots() const { return values_.size(); }
+  int points() const { return static_cast<int>(rows_.size()); }
+  /// Grows by one whenever the pattern changes.
   long version() const { return version_; }
 
-  /// The scalar upper triangle by compressed columns, row indices ascending.
-  struct Compressed {
-    std::vector<int> start, row;
-    std::vector<double> value;
+  /// Block (row, column) of the full matrix: the one in `slot`, or its transpose if column < row.
+  struct Entry {
+    int column = 0, slot = 0;
   };
-  /// Refreshes `out`; its pattern is rebuilt only if `out_version` is not this version.
-  void compress(Compressed& out, long& out_version) const;
+  /// A block row of the full matrix, columns ascending.
+  const std::vector<Entry>& row(int point) const { return rows_[static_cast<std::size_t>(point)]; }
   /// y = K x on vectors of length 3M.
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
 
  private:
-  struct Entry {
-    int row = 0, slot = 0;
+  struct Places {
+    long version = 0;
+    std::vector<int> slots;
   };
-  int slot(int i, int j);
+  void enter(int row, int column, int slot);
 
-  std::vector<std::vector<Entry>> columns_;  // by row, ascending
+  std::vector<std::vector<Entry>> rows_;
   std::vector<Mat3> values_;
-  std::map<const void*, long> admitted_;
+  std::map<const void*, Places> places_;
   long version_ = 0;
 };
+
+/// Calls `add(first, last)` on each thread, or on one if the work is `little`, with a range of points; together they
+/// are all. A thread that adds only to columns and blocks (i, j) with first <= i < last, in an order that does not
+/// depend on the range, gives every sum the same bits for any number of threads.
+template <class Add>
+void share_points(int points, bool little, const Add& add) {
+#pragma omp parallel if (!little)
+  {
+    const long threads = omp_get_num_threads(), mine = omp_get_thread_num();
+    add(static_cast<int>(points * mine / threads), static_cast<int>(points * (mine + 1) / threads));
+  }
+}
 
 }  // namespace wale

@@ -29,6 +29,7 @@ void World::evaluate(const State& state, Load& out) const {
   if (out.force) out.force->setZero(3, state.q.cols());
   if (out.stiffness) out.stiffness->clear();
   if (out.damping) out.damping->clear();
+  if (out.convex) out.convex->clear();
   for (const auto& effect : effects_) effect->add(state, out);
 }
 

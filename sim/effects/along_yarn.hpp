@@ -37,7 +37,8 @@ struct Curvature {
 /// `curvature` may be null; `convex` asks for a positive semidefinite one.
 template <class L>
 concept Law = requires(const L& law, const Site& at, Slope& slope, Curvature* curvature, bool convex) {
-  { L::elastic } -> std::convertible_to<bool>;  // true: depends on position; false: on velocity
+  { L::elastic } -> std::convertible_to<bool>;    // true: depends on position; false: on velocity
+  { L::derivative } -> std::convertible_to<int>;  // 0: it depends on y or v alone, 1: on y' alone, 2: on y' and y''
   { law.name() } -> std::convertible_to<std::string_view>;
   { law(at, slope, curvature, convex) } -> std::same_as<void>;
 };
@@ -62,29 +63,37 @@ class AlongYarn final : public Effect {
   std::string_view name() const override { return law_.name(); }
 
   void add(const State& at, Load& out) const override {
-    const int count = static_cast<int>(segments_.size());
-    std::vector<Local> locals(static_cast<std::size_t>(count));
-    std::vector<LocalSecond> seconds(out.stiffness || out.damping ? static_cast<std::size_t>(count) : 0);
-#pragma omp parallel for schedule(static) if (count > few)
-    for (int i = 0; i < count; ++i)
-      integrate(at, i, out.convex, locals[static_cast<std::size_t>(i)],
-                seconds.empty() ? nullptr : &seconds[static_cast<std::size_t>(i)]);
-    gather(locals, seconds, out);
+    const std::array<Stiffness*, 2> second{L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
+    std::array<const std::vector<int>*, 2> places{};
+    for (std::size_t m = 0; m < 2; ++m)
+      if (second[m]) places[m] = &places_in(*second[m]);
+    std::vector<Scalars> scalars(segments_.size());
+    // Where two threads meet, both ask the law about the segments that reach across.
+    share_points(static_cast<int>(at.q.cols()), segments_.size() < few, [&](int from, int to) {
+      for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
+        const int first = first_point(i);
+        if (first + 4 <= from || first >= to) continue;
+        const Range mine{std::max(from - first, 0), std::min(to - first, 4)};
+        const Scalars of = add_slopes(at, i, mine, out.force);
+        if (mine.from == 0) scalars[static_cast<std::size_t>(i)] = of;
+        for (std::size_t m = 0; m < 2; ++m)
+          if (second[m]) add_second(at, i, mine, m == 1, *places[m], *second[m]);
+      }
+    });
+    for (const Scalars& of : scalars) {
+      if (out.energy) *out.energy += of.energy;
+      if (out.dissipation) *out.dissipation += of.dissipation;
+    }
   }
 
  private:
-  static constexpr int few = 64;  // segments for which threads cost more than they save
-  struct Local {
+  static constexpr std::size_t few = 256;  // segments for which threads cost more than they save
+  struct Scalars {
     double energy = 0, dissipation = 0;
-    Eigen::Matrix<double, 3, 4> force = Eigen::Matrix<double, 3, 4>::Zero();
   };
-  /// Blocks (a, b) with a <= b of the four control points, row by row.
-  struct LocalSecond {
-    std::array<Mat3, 10> stiffness, damping;
-    LocalSecond() {
-      stiffness.fill(Mat3::Zero());
-      damping.fill(Mat3::Zero());
-    }
+  /// Of the four control points of a segment: those that a thread adds to.
+  struct Range {
+    int from = 0, to = 0;
   };
 
   struct Rule {
@@ -95,6 +104,15 @@ class AlongYarn final : public Effect {
     }
   };
 
+  int first_point(int i) const { return parts_.fabric.first_point(segments_[static_cast<std::size_t>(i)]); }
+
+  const std::vector<int>& places_in(Stiffness& matrix) const {
+    return matrix.places(this, 0, [&](std::vector<int>& slots) {
+      for (int i = 0; i < static_cast<int>(segments_.size()); ++i)
+        for (int j = 0; j < 4; ++j) matrix.slots(first_point(i) + j, first_point(i) + j, 4 - j, slots);
+    });
+  }
+
   const Rule& rule_of(int segment) const {
     const Yarn& yarn = parts_.fabric.yarns[static_cast<std::size_t>(parts_.fabric.segment(segment).yarn)];
     const int place = segment - yarn.first_segment;
@@ -103,7 +121,7 @@ class AlongYarn final : public Effect {
 
   Site site(const State& at, int i, std::size_t node, const Basis& b) const {
     const int segment = segments_[static_cast<std::size_t>(i)];
-    const int first = parts_.fabric.first_point(segment);
+    const int first = first_point(i);
     return {combine(at.q, first, b.value),
             combine(at.q, first, b.first),
             combine(at.q, first, b.second),
@@ -116,48 +134,48 @@ class AlongYarn final : public Effect {
             first_site_[static_cast<std::size_t>(i)] + static_cast<int>(node)};
   }
 
-  void integrate(const State& at, int i, bool convex, Local& local, LocalSecond* second) const {
+  Scalars add_slopes(const State& at, int i, Range mine, Points* force) const {
+    const Rule& rule = rule_of(segments_[static_cast<std::size_t>(i)]);
+    Scalars sum;
+    for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
+      const double w = rule.nodes[node].weight;
+      const Basis& b = rule.bases[node];
+      Slope slope;
+      law_(site(at, i, node, b), slope, nullptr, false);
+      sum.energy += w * slope.energy;
+      sum.dissipation += w * slope.dissipation;
+      if (!force) continue;
+      for (int point = mine.from; point < mine.to; ++point) {
+        const auto k = static_cast<std::size_t>(point);
+        force->col(first_point(i) + point) -=
+            w * (b.value[k] * (slope.y + slope.v) + b.first[k] * slope.dy + b.second[k] * slope.ddy);
+      }
+    }
+    return sum;
+  }
+
+  void add_second(const State& at, int i, Range mine, bool convex, const std::vector<int>& places,
+                  Stiffness& out) const {
+    // Blocks (j, k) with j <= k of the segment, row by row: so many lie before each row.
+    constexpr std::array<std::size_t, 4> before{0, 4, 7, 9};
     const Rule& rule = rule_of(segments_[static_cast<std::size_t>(i)]);
     for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
       const double w = rule.nodes[node].weight;
       const Basis& b = rule.bases[node];
       Slope slope;
-      Curvature curvature;
-      law_(site(at, i, node, b), slope, second ? &curvature : nullptr, convex);
-      local.energy += w * slope.energy;
-      local.dissipation += w * slope.dissipation;
-      for (std::size_t k = 0; k < 4; ++k)
-        local.force.col(static_cast<Eigen::Index>(k)) -=
-            w * (b.value[k] * (slope.y + slope.v) + b.first[k] * slope.dy + b.second[k] * slope.ddy);
-      if (second) add_second(w, b, curvature, *second);
-    }
-  }
-
-  static void add_second(double w, const Basis& b, const Curvature& c, LocalSecond& second) {
-    std::size_t block = 0;
-    for (std::size_t j = 0; j < 4; ++j)
-      for (std::size_t k = j; k < 4; ++k, ++block) {
-        second.stiffness[block] +=
-            w *
-            (b.value[j] * b.value[k] * c.y_y + b.first[j] * b.first[k] * c.dy_dy + b.first[j] * b.second[k] * c.dy_ddy +
-             b.second[j] * b.first[k] * c.dy_ddy.transpose() + b.second[j] * b.second[k] * c.ddy_ddy);
-        second.damping[block] += w * b.value[j] * b.value[k] * c.v_v;
-      }
-  }
-
-  void gather(const std::vector<Local>& locals, const std::vector<LocalSecond>& seconds, Load& out) const {
-    for (std::size_t i = 0; i < locals.size(); ++i) {
-      const int first = parts_.fabric.first_point(segments_[i]);
-      if (out.energy) *out.energy += locals[i].energy;
-      if (out.dissipation) *out.dissipation += locals[i].dissipation;
-      if (out.force) out.force->middleCols<4>(first) += locals[i].force;
-      if (seconds.empty()) continue;
-      std::size_t block = 0;
-      for (int j = 0; j < 4; ++j)
-        for (int k = j; k < 4; ++k, ++block) {
-          if (out.stiffness && L::elastic) out.stiffness->add(first + j, first + k, seconds[i].stiffness[block]);
-          if (out.damping && !L::elastic) out.damping->add(first + j, first + k, seconds[i].damping[block]);
+      Curvature c;
+      law_(site(at, i, node, b), slope, &c, convex);
+      for (auto j = static_cast<std::size_t>(mine.from); j < static_cast<std::size_t>(mine.to); ++j) {
+        std::size_t place = static_cast<std::size_t>(i) * 10 + before[j];
+        const Mat3 by_y = w * b.value[j] * (L::elastic ? c.y_y : c.v_v);
+        const Mat3 by_dy = w * (b.first[j] * c.dy_dy + b.second[j] * c.dy_ddy.transpose());
+        const Mat3 by_ddy = w * (b.first[j] * c.dy_ddy + b.second[j] * c.ddy_ddy);
+        for (std::size_t k = j; k < 4; ++k, ++place) {
+          if constexpr (L::derivative == 0) out.add_at(places[place], b.value[k] * by_y);
+          if constexpr (L::derivative == 1) out.add_at(places[place], b.first[k] * by_dy);
+          if constexpr (L::derivative == 2) out.add_at(places[place], b.first[k] * by_dy + b.second[k] * by_ddy);
         }
+      }
     }
   }
 

@@ -85,66 +85,66 @@ Beads::Beads(const Fabric& fabric, double alpha, double screening) : fabric_(fab
   reach_ = widest + skin_;
 }
 
-void Beads::locate(const Points& q, Points& out) const {
-  out.resize(3, total());
+void Beads::locate(const Points& q) {
+  at_.resize(3, total());
 #pragma omp parallel for schedule(static)
   for (int i = 0; i < fabric_.segment_count(); ++i)
-    for (int k = 0; k < count(i); ++k) out.col(first_bead_[index(i)] + k) = position(q, i, k);
+    for (int k = 0; k < count(i); ++k)
+      at_.col(first_bead_[index(i)] + k) = combine(q, fabric_.first_point(i), basis_of(i, k).value);
 }
 
 void Beads::prepare(const Points& q) {
-  Points now;
-  locate(q, now);
-  if (!now.allFinite()) return;
-  if (listed_at_.cols() != now.cols() || (now - listed_at_).colwise().squaredNorm().maxCoeff() > skin_ * skin_ / 4) {
-    find_pairs(now);
-    listed_at_ = now;
+  locate(q);
+  if (!at_.allFinite()) return;
+  if (listed_at_.cols() != at_.cols() || (at_ - listed_at_).colwise().squaredNorm().maxCoeff() > skin_ * skin_ / 4) {
+    find_pairs();
+    listed_at_ = at_;
     ++version_;
   }
+  distance_.resize(pairs_.size());
   double closest = std::numeric_limits<double>::infinity();
 #pragma omp parallel for schedule(static) reduction(min : closest)
-  for (std::size_t p = 0; p < pairs_.size(); ++p) closest = std::min(closest, closest_of(now, pairs_[p]));
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    distance_[p] = distance_between(pairs_[p]);
+    closest = std::min(closest, distance_[p] / diameter(pairs_[p].a, pairs_[p].b));
+  }
   closest_ = closest;
 }
 
-void Beads::find_pairs(const Points& at) {
-  const Grid grid(at, reach_);
+void Beads::find_pairs() {
+  const Grid grid(at_, reach_);
   std::vector<std::vector<int>> partners(index(fabric_.segment_count()));
 #pragma omp parallel for schedule(dynamic, 64)
   for (int a = 0; a < fabric_.segment_count(); ++a) {
     auto& mine = partners[index(a)];
     for (int k = 0; k < count(a); ++k)
-      grid.near(at.col(first_bead_[index(a)] + k), [&](int bead) {
+      grid.near(position(a, k), [&](int bead) {
         const int b = segment_of_[index(bead)];
-        if (b > a && (mine.empty() || mine.back() != b)) mine.push_back(b);
+        if (b > a && (mine.empty() || mine.back() != b) && is_within_reach(a, k, bead)) mine.push_back(b);
       });
     std::sort(mine.begin(), mine.end());
     mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
-    std::erase_if(mine, [&](int b) { return !within_reach(at, a, b); });
   }
   pairs_.clear();
   for (int a = 0; a < fabric_.segment_count(); ++a)
     for (const int b : partners[index(a)]) pairs_.push_back({a, b});
 }
 
-bool Beads::within_reach(const Points& at, int a, int b) const {
+bool Beads::is_within_reach(int a, int bead_a, int other) const {
+  const int b = segment_of_[index(other)];
   const double reach = diameter(a, b) + skin_;
-  for (int i = 0; i < count(a); ++i)
-    for (int j = 0; j < count(b); ++j)
-      if (!screened(a, i, b, j) &&
-          (at.col(first_bead_[index(a)] + i) - at.col(first_bead_[index(b)] + j)).squaredNorm() < reach * reach)
-        return true;
-  return false;
+  return (position(a, bead_a) - at_.col(other)).squaredNorm() < reach * reach &&
+         !screened(a, bead_a, b, other - first_bead_[index(b)]);
 }
 
-double Beads::closest_of(const Points& at, const SegmentPair& pair) const {
+double Beads::distance_between(const SegmentPair& pair) const {
   double closest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < count(pair.a); ++i)
-    for (int j = 0; j < count(pair.b); ++j)
-      if (!screened(pair.a, i, pair.b, j))
-        closest = std::min(
-            closest, (at.col(first_bead_[index(pair.a)] + i) - at.col(first_bead_[index(pair.b)] + j)).squaredNorm());
-  return std::sqrt(closest) / diameter(pair.a, pair.b);
+    for (int j = 0; j < count(pair.b); ++j) {
+      const double squared = (position(pair.a, i) - position(pair.b, j)).squaredNorm();
+      if (squared < closest && !screened(pair.a, i, pair.b, j)) closest = squared;
+    }
+  return std::sqrt(closest);
 }
 
 }  // namespace wale

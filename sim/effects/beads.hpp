@@ -25,7 +25,7 @@ class Beads {
  public:
   Beads(const Fabric&, double alpha, double screening);
 
-  /// Renews the list if beads have moved too far since it was made. Finds the closest pair.
+  /// Renews the list if beads have moved too far since it was made. Measures every pair.
   void prepare(const Points& q);
 
   /// In ascending (a, b).
@@ -34,13 +34,14 @@ class Beads {
   long version() const { return version_; }
   /// Smallest bead distance over contact diameter at the last prepare().
   double closest() const { return closest_; }
+  /// The smallest distance between beads of pairs()[pair] at the last prepare(), m.
+  double distance(std::size_t pair) const { return distance_[pair]; }
+  /// Where a bead was at the last prepare(), m.
+  auto position(int segment, int bead) const { return at_.col(first_bead_[index(segment)] + bead); }
 
   int count(int segment) const { return bead_count_[index(segment)]; }
   int total() const { return static_cast<int>(arc_.size()); }
   const Basis& basis_of(int segment, int bead) const { return bases_[index(count(segment))][index(bead)]; }
-  Vec3 position(const Points& q, int segment, int bead) const {
-    return combine(q, fabric_.first_point(segment), basis_of(segment, bead).value);
-  }
   /// Beads of one yarn nearer along it than the screening length do not touch (Ding et al. 2023, A.3).
   bool screened(int a, int bead_a, int b, int bead_b) const {
     if (fabric_.segment(a).yarn != fabric_.segment(b).yarn) return false;
@@ -55,10 +56,10 @@ class Beads {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   double arc(int segment, int bead) const { return arc_[index(first_bead_[index(segment)] + bead)]; }
-  void locate(const Points& q, Points& out) const;
-  void find_pairs(const Points& at);
-  bool within_reach(const Points& at, int a, int b) const;
-  double closest_of(const Points& at, const SegmentPair&) const;
+  void locate(const Points& q);
+  void find_pairs();
+  bool is_within_reach(int a, int bead_a, int other) const;  // `other` counts over all segments
+  double distance_between(const SegmentPair&) const;
 
   const Fabric& fabric_;
   double screening_;
@@ -68,7 +69,9 @@ class Beads {
   std::vector<double> arc_;                // bead positions along their yarn, knitted length, m
   std::vector<std::vector<Basis>> bases_;  // by bead count
   std::vector<SegmentPair> pairs_;
-  Points listed_at_;  // beads when the list was made
+  std::vector<double> distance_;  // by pair, m
+  Points at_;                     // beads now
+  Points listed_at_;              // beads when the list was made
   double closest_ = 0;
   long version_ = 0;
 };

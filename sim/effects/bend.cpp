@@ -14,6 +14,7 @@ Mat3 cross_matrix(const Vec3& a) {
 /// ½ EI l κ², with κ = |y' × y''| / |y'|³ (Ding et al. 2023, Eqs. 13, 14).
 struct BendLaw {
   static constexpr bool elastic = true;
+  static constexpr int derivative = 2;
   std::string_view name() const { return "bend"; }
 
   void operator()(const Site& at, Slope& slope, Curvature* curvature, bool convex) const {

@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,10 +13,10 @@ namespace wale {
 
 /// Two beads of a listed pair of segments.
 struct Touch {
-  Vec3 apart;           ///< from bead b to bead a, m
-  Vec3 velocity;        ///< of a relative to b, m/s
-  double weight = 0;    ///< l_a l_b / (n_a n_b), m² (Ding et al. 2023, Eqs. 17-21 as corrected)
-  double diameter = 0;  ///< of this contact, m
+  Vec3 apart = Vec3::Zero();     ///< from bead b to bead a, m
+  Vec3 velocity = Vec3::Zero();  ///< of a relative to b, m/s
+  double weight = 0;             ///< l_a l_b / (n_a n_b), m² (Ding et al. 2023, Eqs. 17-21 as corrected)
+  double diameter = 0;           ///< of this contact, m
   const Material* a = nullptr;
   const Material* b = nullptr;
 };
@@ -24,18 +25,19 @@ struct Touch {
 struct Push {
   double energy = 0, dissipation = 0;
   Vec3 on_a = Vec3::Zero();       ///< force on bead a, N; b gets the opposite
-  Mat3 stiffness = Mat3::Zero();  ///< second slope by `apart`, or by `velocity` if the law is not elastic
+  Mat3 stiffness = Mat3::Zero();  ///< second slope by `apart`, or by `velocity` if the law is not elastic; symmetric
+  Mat3 convex = Mat3::Zero();     ///< what of it is positive semidefinite, if the law is elastic
 };
 
 /// A law is asked only about beads nearer than their contact diameter.
 template <class L>
-concept PairLaw = requires(const L& law, const Touch& touch, Push& push, bool second, bool convex) {
+concept PairLaw = requires(const L& law, const Touch& touch, Push& push, bool second) {
   { L::elastic } -> std::convertible_to<bool>;
   { law.name() } -> std::convertible_to<std::string_view>;
   {
     law.diameter(touch.diameter, 0.0, 0.0)
     } -> std::convertible_to<double>;  // of two beads so far apart on their yarns
-  { law(touch, push, second, convex) } -> std::same_as<void>;
+  { law(touch, push, second) } -> std::same_as<void>;
 };
 
 template <PairLaw L>
@@ -49,106 +51,197 @@ class BetweenYarns final : public Effect {
   double closest() const override { return beads_->closest(); }
 
   void add(const State& at, Load& out) const override {
-    const auto& pairs = beads_->pairs();
-    const bool second = L::elastic ? out.stiffness : out.damping;
-    std::vector<Local> locals(pairs.size());
-#pragma omp parallel for schedule(dynamic, 128) if (pairs.size() > few)
-    for (std::size_t p = 0; p < pairs.size(); ++p) touch_all(at, pairs[p], second, out.convex, locals[p]);
-    if (second) make_room(L::elastic ? *out.stiffness : *out.damping);
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      if (!locals[p].touching) continue;
-      if (second) scatter(pairs[p], *locals[p].second, L::elastic ? *out.stiffness : *out.damping);
-      if (out.energy) *out.energy += locals[p].energy;
-      if (out.dissipation) *out.dissipation += locals[p].dissipation;
-      if (!out.force) continue;
-      out.force->middleCols<4>(parts_.fabric.first_point(pairs[p].a)) += locals[p].on_a;
-      out.force->middleCols<4>(parts_.fabric.first_point(pairs[p].b)) += locals[p].on_b;
+    const std::array<Stiffness*, 2> second{L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
+    std::array<const std::vector<int>*, 2> places{};
+    for (std::size_t m = 0; m < 2; ++m)
+      if (second[m]) places[m] = &places_in(*second[m]);
+    const std::vector<Contact> contacts = touching(at);
+    const bool blocks_wanted = second[0] || second[1];
+    const std::size_t batch = blocks_wanted ? std::min(contacts.size(), most_blocks) : contacts.size();
+    std::vector<Slopes> slopes(batch);
+    std::vector<Blocks> blocks(blocks_wanted ? batch : 0);
+    for (std::size_t first = 0; first < contacts.size(); first += batch) {
+      const std::span<const Contact> some(contacts.data() + first, std::min(batch, contacts.size() - first));
+#pragma omp parallel if (some.size() > few)
+      {
+        std::vector<Twin> on_b;
+#pragma omp for schedule(dynamic, 16)
+        for (std::size_t c = 0; c < some.size(); ++c) {
+          slopes[c] = {};
+          push_all(at, some[c], slopes[c], blocks.empty() ? nullptr : &blocks[c], on_b);
+        }
+      }
+      gather(some, slopes, out);
+      if (!blocks.empty()) gather(some, blocks, places, second);
     }
   }
 
  private:
-  static constexpr std::size_t few = 256;  // pairs for which threads cost more than they save
+  static constexpr std::size_t few = 64;           // pairs for which threads cost more than they save
+  static constexpr std::size_t most_blocks = 512;  // pairs whose blocks fit a core's cache
   using Quad = Eigen::Matrix<double, 3, 4>;
+  /// Two symmetric 3 x 3 matrices by their upper triangles, row by row: the exact and the convex second slope.
+  using Twin = Eigen::Array<double, 12, 1>;
   /// Blocks (j, k), j <= k, of the eight control points of a pair, row by row.
-  using Blocks = std::array<Mat3, 36>;
-  struct Local {
-    bool touching = false;
+  using Blocks = std::array<Twin, 36>;
+  struct Contact {
+    std::size_t pair = 0;             // of beads_->pairs()
+    double weight = 0, diameter = 0;  // as in Touch
+  };
+  struct Slopes {
     double energy = 0, dissipation = 0;
     Quad on_a = Quad::Zero(), on_b = Quad::Zero();
-    std::unique_ptr<Blocks> second;  // only of pairs that touch: most listed ones do not
   };
 
-  void touch_all(const State& at, const SegmentPair& pair, bool second, bool convex, Local& local) const {
-    const Fabric& fabric = parts_.fabric;
-    const int na = beads_->count(pair.a), nb = beads_->count(pair.b);
-    const double la = parts_.rest_length(pair.a, at.t) / na, lb = parts_.rest_length(pair.b, at.t) / nb;
-    Touch touch{{},
-                {},
-                la * lb,
-                law_.diameter(beads_->diameter(pair.a, pair.b), la, lb),
-                &fabric.material_of(pair.a),
-                &fabric.material_of(pair.b)};
-    const int first_a = fabric.first_point(pair.a), first_b = fabric.first_point(pair.b);
-    for (int i = 0; i < na; ++i) {
-      const Basis& ba = beads_->basis_of(pair.a, i);
-      const Vec3 ya = combine(at.q, first_a, ba.value);
-      for (int j = 0; j < nb; ++j) {
-        const Basis& bb = beads_->basis_of(pair.b, j);
-        touch.apart = ya - combine(at.q, first_b, bb.value);
+  const SegmentPair& pair_of(const Contact& contact) const { return beads_->pairs()[contact.pair]; }
+
+  /// Most listed pairs do not touch.
+  std::vector<Contact> touching(const State& at) const {
+    std::vector<Contact> result;
+    for (std::size_t p = 0; p < beads_->pairs().size(); ++p) {
+      const auto [a, b] = beads_->pairs()[p];
+      const double la = parts_.rest_length(a, at.t) / beads_->count(a);
+      const double lb = parts_.rest_length(b, at.t) / beads_->count(b);
+      const double diameter = law_.diameter(beads_->diameter(a, b), la, lb);
+      if (beads_->distance(p) < diameter) result.push_back({p, la * lb, diameter});
+    }
+    return result;
+  }
+
+  /// `on_b` is working space.
+  void push_all(const State& at, const Contact& contact, Slopes& slopes, Blocks* blocks,
+                std::vector<Twin>& on_b) const {
+    const auto [a, b] = pair_of(contact);
+    const int first_a = parts_.fabric.first_point(a), first_b = parts_.fabric.first_point(b);
+    Touch touch{.weight = contact.weight,
+                .diameter = contact.diameter,
+                .a = &parts_.fabric.material_of(a),
+                .b = &parts_.fabric.material_of(b)};
+    if (blocks) blocks->fill(Twin::Zero());
+    on_b.assign(static_cast<std::size_t>(beads_->count(b)), Twin::Zero());
+    for (int i = 0; i < beads_->count(a); ++i) {
+      const Basis& ba = beads_->basis_of(a, i);
+      Twin on_a = Twin::Zero();
+      std::array<Twin, 4> mixed;
+      mixed.fill(Twin::Zero());
+      bool touched = false;
+      for (int j = 0; j < beads_->count(b); ++j) {
+        touch.apart = beads_->position(a, i) - beads_->position(b, j);
         if (touch.apart.squaredNorm() >= touch.diameter * touch.diameter) continue;
-        if (beads_->screened(pair.a, i, pair.b, j)) continue;
+        if (beads_->screened(a, i, b, j)) continue;
+        const Basis& bb = beads_->basis_of(b, j);
         touch.velocity = combine(at.v, first_a, ba.value) - combine(at.v, first_b, bb.value);
-        local.touching = true;
-        if (second && !local.second) {
-          local.second = std::make_unique<Blocks>();
-          local.second->fill(Mat3::Zero());
-        }
-        add_touch(touch, ba, bb, convex, local);
+        Push push;
+        law_(touch, push, blocks != nullptr);
+        add_slopes(push, ba, bb, slopes);
+        if (!blocks) continue;
+        touched = true;
+        const Twin second = twin(push);
+        on_a += second;
+        on_b[static_cast<std::size_t>(j)] += second;
+        for (std::size_t k = 0; k < 4; ++k) mixed[k] -= bb.value[k] * second;
       }
+      if (touched) add_rows_of_a(ba, on_a, mixed, *blocks);
+    }
+    if (blocks) add_rows_of_b(b, on_b, *blocks);
+  }
+
+  static Twin twin(const Push& push) {
+    const Mat3 &s = push.stiffness, &c = push.convex;
+    Twin both;
+    both << s(0, 0), s(0, 1), s(0, 2), s(1, 1), s(1, 2), s(2, 2), c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2);
+    return both;
+  }
+
+  static void add_slopes(const Push& push, const Basis& ba, const Basis& bb, Slopes& slopes) {
+    slopes.energy += push.energy;
+    slopes.dissipation += push.dissipation;
+    for (std::size_t k = 0; k < 4; ++k) {
+      slopes.on_a.col(static_cast<Eigen::Index>(k)) += ba.value[k] * push.on_a;
+      slopes.on_b.col(static_cast<Eigen::Index>(k)) -= bb.value[k] * push.on_a;
     }
   }
 
-  void add_touch(const Touch& touch, const Basis& ba, const Basis& bb, bool convex, Local& local) const {
-    Push push;
-    law_(touch, push, local.second != nullptr, convex);
-    local.energy += push.energy;
-    local.dissipation += push.dissipation;
-    std::array<double, 8> weight;
-    for (std::size_t k = 0; k < 4; ++k) {
-      weight[k] = ba.value[k];
-      weight[k + 4] = -bb.value[k];
-      local.on_a.col(static_cast<Eigen::Index>(k)) += ba.value[k] * push.on_a;
-      local.on_b.col(static_cast<Eigen::Index>(k)) -= bb.value[k] * push.on_a;
-    }
-    if (!local.second) return;
+  /// What bead i of a and all that it touches add to the blocks of a's control points.
+  static void add_rows_of_a(const Basis& ba, const Twin& on_a, const std::array<Twin, 4>& mixed, Blocks& blocks) {
     std::size_t block = 0;
-    for (std::size_t j = 0; j < 8; ++j)
-      for (std::size_t k = j; k < 8; ++k, ++block) (*local.second)[block] += weight[j] * weight[k] * push.stiffness;
+    for (std::size_t j = 0; j < 4; ++j) {
+      for (std::size_t k = j; k < 4; ++k, ++block) blocks[block] += ba.value[j] * ba.value[k] * on_a;
+      for (std::size_t k = 0; k < 4; ++k, ++block) blocks[block] += ba.value[j] * mixed[k];
+    }
+  }
+
+  void add_rows_of_b(int b, const std::vector<Twin>& on_b, Blocks& blocks) const {
+    for (std::size_t i = 0; i < on_b.size(); ++i) {
+      const Basis& bb = beads_->basis_of(b, static_cast<int>(i));
+      std::size_t block = 26;  // after those of a
+      for (std::size_t j = 0; j < 4; ++j)
+        for (std::size_t k = j; k < 4; ++k, ++block) blocks[block] += bb.value[j] * bb.value[k] * on_b[i];
+    }
+  }
+
+  void gather(std::span<const Contact> contacts, const std::vector<Slopes>& slopes, Load& out) const {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      if (out.energy) *out.energy += slopes[c].energy;
+      if (out.dissipation) *out.dissipation += slopes[c].dissipation;
+      if (!out.force) continue;
+      out.force->middleCols<4>(parts_.fabric.first_point(pair_of(contacts[c]).a)) += slopes[c].on_a;
+      out.force->middleCols<4>(parts_.fabric.first_point(pair_of(contacts[c]).b)) += slopes[c].on_b;
+    }
+  }
+
+  void gather(std::span<const Contact> contacts, const std::vector<Blocks>& blocks,
+              const std::array<const std::vector<int>*, 2>& places, const std::array<Stiffness*, 2>& out) const {
+    share_points(static_cast<int>(parts_.fabric.points.cols()), contacts.size() < few, [&](int first, int last) {
+      for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const SegmentPair& pair = pair_of(contacts[c]);
+        std::size_t block = 0;
+        for (int j = 0; j < 8; ++j)
+          for (int k = j; k < 8; ++k, ++block) {
+            const int p = point(pair, j), q = point(pair, k), row = std::min(p, q);
+            if (row < first || row >= last) continue;
+            // The two segments may share a control point.
+            const double times = p == q && j != k ? 2 : 1;
+            for (std::size_t m = 0; m < 2; ++m)
+              if (out[m])
+                out[m]->add_at((*places[m])[contacts[c].pair * 36 + block], times * one_of(blocks[c][block], m));
+          }
+      }
+    });
+  }
+
+  static Mat3 one_of(const Twin& twin, std::size_t which) {
+    const double* s = twin.data() + 6 * which;
+    Mat3 whole;
+    whole << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+    return whole;
   }
 
   int point(const SegmentPair& pair, int k) const { return parts_.fabric.first_point(k < 4 ? pair.a : pair.b) + k % 4; }
 
-  /// Every listed pair gets its room in the pattern, touching or not, so that the pattern changes only with the list.
-  void make_room(Stiffness& out) const {
-    if (!out.admit(this, beads_->version())) return;
-    for (const SegmentPair& pair : beads_->pairs())
-      for (int j = 0; j < 4; ++j)
-        for (int k = 4; k < 8; ++k) {
-          const int p = point(pair, j), q = point(pair, k);
-          out.touch(std::min(p, q), std::max(p, q));
-        }
+  void list(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
+    const int a = point(pair, 0), b = point(pair, 4);
+    if (a + 4 > b && b + 4 > a) return list_overlapping(pair, matrix, slots);
+    for (int j = 0; j < 4; ++j) {
+      matrix.slots(a + j, a + j, 4 - j, slots);
+      matrix.slots(a + j, b, 4, slots);
+    }
+    for (int j = 0; j < 4; ++j) matrix.slots(b + j, b + j, 4 - j, slots);
   }
 
-  void scatter(const SegmentPair& pair, const Blocks& blocks, Stiffness& out) const {
-    std::size_t block = 0;
+  void list_overlapping(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
     for (int j = 0; j < 8; ++j)
-      for (int k = j; k < 8; ++k, ++block) {
+      for (int k = j; k < 8; ++k) {
         const int p = point(pair, j), q = point(pair, k);
-        if (p == q && j != k)
-          out.add(p, p, 2 * blocks[block]);  // the two segments share this control point
-        else
-          out.add(std::min(p, q), std::max(p, q), blocks[block]);
+        slots.push_back(matrix.slot(std::min(p, q), std::max(p, q)));
       }
+  }
+
+  /// The slots of every listed pair, touching or not, so that the pattern changes only with the list.
+  const std::vector<int>& places_in(Stiffness& matrix) const {
+    return matrix.places(this, beads_->version(), [&](std::vector<int>& slots) {
+      for (const SegmentPair& pair : beads_->pairs()) list(pair, matrix, slots);
+    });
   }
 
   L law_;

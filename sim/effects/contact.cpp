@@ -13,7 +13,7 @@ struct Repulsion {
     return inflate ? (inflated_diameter(d, spacing_a) + inflated_diameter(d, spacing_b)) / 2 : d;
   }
 
-  void operator()(const Touch& touch, Push& push, bool second, bool convex) const {
+  void operator()(const Touch& touch, Push& push, bool second) const {
     const double distance = touch.apart.norm(), d = touch.diameter;
     const Penalty f = penalty(*touch.a, *touch.b, distance / d);
     const Vec3 n = touch.apart / distance;
@@ -21,9 +21,9 @@ struct Repulsion {
     push.on_a = -touch.weight * f.first / d * n;
     if (!second) return;
     const Mat3 normal = n * n.transpose();
-    push.stiffness = touch.weight * f.second / (d * d) * normal;
+    push.convex = touch.weight * f.second / (d * d) * normal;
     // The push lets the beads slip sideways off each other: negative geometric stiffness.
-    if (!convex) push.stiffness += touch.weight * f.first / (d * distance) * (Mat3::Identity() - normal);
+    push.stiffness = push.convex + touch.weight * f.first / (d * distance) * (Mat3::Identity() - normal);
   }
 };
 

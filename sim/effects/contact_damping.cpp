@@ -10,7 +10,7 @@ struct ViscousTouch {
   std::string_view name() const { return "contact_damping"; }
   double diameter(double d, double, double) const { return d; }
 
-  void operator()(const Touch& touch, Push& push, bool second, bool) const {
+  void operator()(const Touch& touch, Push& push, bool second) const {
     const Vec3 n = touch.apart.normalized();
     const double along = n.dot(touch.velocity);
     const double difference = tangential - normal;

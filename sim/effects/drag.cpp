@@ -6,6 +6,7 @@ namespace {
 /// D = k_g l |v|² (Ding et al. 2023, Eq. 16, with the factor l); the force is -2 k_g l v.
 struct DragLaw {
   static constexpr bool elastic = false;
+  static constexpr int derivative = 0;
   double k_g;
   std::string_view name() const { return "drag"; }
 

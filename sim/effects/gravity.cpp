@@ -6,6 +6,7 @@ namespace {
 /// -rho l0 y·g (Ding et al. 2023, Eq. 15, sign corrected; the mass is that of the yarn as laid).
 struct GravityLaw {
   static constexpr bool elastic = true;
+  static constexpr int derivative = 0;
   Vec3 g;
   std::string_view name() const { return "gravity"; }
 

@@ -33,16 +33,18 @@ class KnotsEffect final : public Effect {
     const auto point = [&](std::size_t i) { return first[i / 4] + static_cast<int>(i % 4); };
     if (out.force)
       for (std::size_t i = 0; i < 8; ++i) out.force->col(point(i)) -= 2 * k * slack * weight[i] * n;
-    if (!out.stiffness) return;
-    const Mat3 along = n * n.transpose();
-    const double sideways = out.convex ? std::max(slack, 0.0) : slack;
-    const Mat3 second = 2 * k * (along + sideways / distance * (Mat3::Identity() - along));
-    for (std::size_t i = 0; i < 8; ++i)
-      for (std::size_t j = i; j < 8; ++j) {
-        const int p = point(i), q = point(j);
-        const double share = (p == q && i != j ? 2 : 1) * weight[i] * weight[j];
-        out.stiffness->add(std::min(p, q), std::max(p, q), share * second);
-      }
+    const Mat3 along = n * n.transpose(), sideways = (Mat3::Identity() - along) / distance;
+    const auto add_second = [&](Stiffness* to, const Mat3& second) {
+      if (!to) return;
+      for (std::size_t i = 0; i < 8; ++i)
+        for (std::size_t j = i; j < 8; ++j) {
+          const int p = point(i), q = point(j);
+          const double share = (p == q && i != j ? 2 : 1) * weight[i] * weight[j];
+          to->add(std::min(p, q), std::max(p, q), share * second);
+        }
+    };
+    add_second(out.stiffness, 2 * k * (along + slack * sideways));
+    add_second(out.convex, 2 * k * (along + std::max(slack, 0.0) * sideways));
   }
 
   Knots spec_;

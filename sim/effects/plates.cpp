@@ -6,6 +6,7 @@ namespace {
 /// k_p l0 max(0, |z| - gap/2)².
 struct PlatesLaw {
   static constexpr bool elastic = true;
+  static constexpr int derivative = 0;
   double stiffness, gap;
   std::string_view name() const { return "plates"; }
 

@@ -6,6 +6,7 @@ namespace {
 /// ½ EA l (|y'|/l - 1)², Ding et al. 2023, Eq. (12).
 struct StretchLaw {
   static constexpr bool elastic = true;
+  static constexpr int derivative = 1;
   std::string_view name() const { return "stretch"; }
 
   void operator()(const Site& at, Slope& slope, Curvature* curvature, bool convex) const {

@@ -8,6 +8,7 @@ constexpr int nodes = 3;
 /// k_t l0 |W (y - F(y_ref, t))|² (Ding et al. 2023, Eq. A.6; the factor l0 keeps it independent of the segment count).
 struct TetherLaw {
   static constexpr bool elastic = true;
+  static constexpr int derivative = 0;
   Tether spec;
   std::vector<Vec3> reference;  // y_ref by site
   std::string_view name() const { return spec.label; }

@@ -1,47 +1,25 @@
 #include "sim/solvers/cholesky.hpp"
 
-#include <cholmod.h>
-
-#include <cstring>
-#include <new>
-
-extern "C" void openblas_set_num_threads(int);
+#include "sim/solvers/cholmod.hpp"
+#include "sim/solvers/ordered_matrix.hpp"
 
 namespace wale {
 
 struct Cholesky::Work {
-  cholmod_common common;
-  cholmod_factor* factor = nullptr;
-  Stiffness::Compressed matrix;
-  long matrix_version = -1, analysed_version = -1;
+  cholmod::Common common;
+  OrderedMatrix matrix;
+  cholmod::Factor factor{nullptr, {common.get()}};
+  Eigen::VectorXd right;                                          // in the order of elimination
+  cholmod_dense *solution = nullptr, *y = nullptr, *e = nullptr;  // made by cholmod_solve2, and used again
 
   Work() {
-    cholmod_start(&common);
-    // The dense blocks of a swatch are too small to share among threads, and one thread gives the same bits always.
-    openblas_set_num_threads(1);
-    common.print = 0;
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    common.error_handler = nullptr;
+    common->supernodal = CHOLMOD_SUPERNODAL;
+    // The points lie in their order already, so CHOLMOD reads the matrix where it is instead of permuting a copy.
+    common->method[0].ordering = CHOLMOD_NATURAL;
+    common->postorder = 0;
   }
   ~Work() {
-    if (factor) cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
-  }
-
-  cholmod_sparse view() {
-    cholmod_sparse a{};
-    a.nrow = a.ncol = matrix.start.size() - 1;
-    a.nzmax = matrix.row.size();
-    a.p = matrix.start.data();
-    a.i = matrix.row.data();
-    a.x = matrix.value.data();
-    a.stype = 1;  // the upper triangle is stored
-    a.itype = CHOLMOD_INT;
-    a.xtype = CHOLMOD_REAL;
-    a.dtype = CHOLMOD_DOUBLE;
-    a.sorted = 1;
-    a.packed = 1;
-    return a;
+    for (cholmod_dense* dense : {solution, y, e}) cholmod_free_dense(&dense, common.get());
   }
 };
 
@@ -49,31 +27,35 @@ Cholesky::Cholesky() : work_(std::make_unique<Work>()) {}
 Cholesky::~Cholesky() = default;
 
 bool Cholesky::factor(const Stiffness& K, double shift) {
-  K.compress(work_->matrix, work_->matrix_version);
-  cholmod_sparse a = work_->view();
-  if (work_->analysed_version != work_->matrix_version) {
-    if (work_->factor) cholmod_free_factor(&work_->factor, &work_->common);
-    work_->factor = cholmod_analyze(&a, &work_->common);
-    work_->analysed_version = work_->matrix_version;
-    if (!work_->factor) throw std::bad_alloc();
-  }
+  auto& [common, matrix, factor, right, solution, y, e] = *work_;
+  const bool is_new_pattern = matrix.update(K);
+  cholmod_sparse view = matrix.view();
+  const cholmod::OneThread guard;
+  if (is_new_pattern) factor = common.analyse(view);
   double beta[2] = {shift, 0};
-  cholmod_factorize_p(&a, beta, nullptr, 0, work_->factor, &work_->common);
-  if (work_->common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-  return work_->common.status == CHOLMOD_OK && work_->factor->minor == work_->factor->n;
+  cholmod_factorize_p(&view, beta, nullptr, 0, factor.get(), common.get());
+  if (common->status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+  return common->status == CHOLMOD_OK && factor->minor == factor->n;
 }
 
 void Cholesky::solve(Eigen::VectorXd& x) const {
+  auto& [common, matrix, factor, right, solution, y, e] = *work_;
+  const std::vector<int>& order = matrix.order();
+  right.resize(x.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    right.segment<3>(3 * static_cast<Eigen::Index>(k)) = x.segment<3>(3 * order[k]);
   cholmod_dense b{};
   b.nrow = b.d = b.nzmax = static_cast<std::size_t>(x.size());
   b.ncol = 1;
-  b.x = x.data();
+  b.x = right.data();
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, work_->factor, &b, &work_->common);
-  if (!solution) throw std::bad_alloc();
-  std::memcpy(x.data(), solution->x, sizeof(double) * static_cast<std::size_t>(x.size()));
-  cholmod_free_dense(&solution, &work_->common);
+  const cholmod::OneThread guard;
+  if (!cholmod_solve2(CHOLMOD_A, factor.get(), &b, nullptr, &solution, nullptr, &y, &e, common.get()))
+    throw std::bad_alloc();
+  const Eigen::Map<const Eigen::VectorXd> found(static_cast<const double*>(solution->x), x.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    x.segment<3>(3 * order[k]) = found.segment<3>(3 * static_cast<Eigen::Index>(k));
 }
 
 }  // namespace wale

@@ -7,7 +7,8 @@
 
 namespace wale {
 
-/// Keeps the symbolic factorisation as long as the pattern stays. Not copyable.
+/// Keeps the symbolic factorisation as long as the pattern stays. Works on one thread, and leaves OpenMP's settings as
+/// they are: the same bits for any number of threads. Not copyable; not for concurrent use.
 class Cholesky {
  public:
   Cholesky();

@@ -61,10 +61,8 @@ double Equilibrium::evaluate(const State& at, Points* force, Effort& effort) {
 }
 
 bool Equilibrium::factor(const State& at, Effort& effort) {
-  Load exact{.stiffness = &exact_, .convex = false};
-  world_.evaluate(at, exact);
-  Load convex{.stiffness = &convex_, .convex = true};
-  world_.evaluate(at, convex);
+  Load second{.stiffness = &exact_, .convex = &convex_};
+  world_.evaluate(at, second);
   ++effort.factorizations;
   return cholesky_.factor(convex_, shift_);
 }

@@ -59,10 +59,13 @@ std::vector<Case> cases() {
 struct Answer {
   double energy = 0, dissipation = 0;
   Points force;
-  Stiffness stiffness, damping;
+  Stiffness stiffness, damping, convex;
   explicit Answer(Eigen::Index points)
-      : force(Points::Zero(3, points)), stiffness(static_cast<int>(points)), damping(static_cast<int>(points)) {}
-  Load all(bool convex = false) { return {&energy, &force, &stiffness, &damping, &dissipation, convex}; }
+      : force(Points::Zero(3, points)),
+        stiffness(static_cast<int>(points)),
+        damping(static_cast<int>(points)),
+        convex(static_cast<int>(points)) {}
+  Load all() { return {&energy, &force, &stiffness, &damping, &dissipation, &convex}; }
 };
 
 class EveryEffect : public testing::TestWithParam<Case> {
@@ -90,10 +93,10 @@ class EveryEffect : public testing::TestWithParam<Case> {
   }
   std::unique_ptr<Bench> small(unsigned seed) { return bench(crossing_yarns(GetParam().law, seed)); }
 
-  static Answer ask(Effect& effect, const State& at, bool convex = false) {
+  static Answer ask(Effect& effect, const State& at) {
     Answer answer(at.q.cols());
     effect.prepare(at);
-    Load load = answer.all(convex);
+    Load load = answer.all();
     effect.add(at, load);
     return answer;
   }
@@ -194,20 +197,23 @@ TEST_P(EveryEffect, AddsToWhatIsThereAndNeverClears) {
   EXPECT_TRUE(near(twice.force, once.force));
   EXPECT_TRUE(near(dense(twice.stiffness), dense(once.stiffness)));
   EXPECT_TRUE(near(dense(twice.damping), dense(once.damping)));
+  EXPECT_TRUE(near(dense(twice.convex), dense(once.convex)));
 }
 
 TEST_P(EveryEffect, AnswersTheSameWhenLessIsAsked) {
   const auto b = small(12);
   const Answer all = ask(*b->effect, b->at);
   Answer some(b->at.q.cols());
-  for (Load load : {Load{.energy = &some.energy}, Load{.force = &some.force}, Load{.stiffness = &some.stiffness},
-                    Load{.damping = &some.damping}, Load{.dissipation = &some.dissipation}, Load{}})
+  for (Load load :
+       {Load{.energy = &some.energy}, Load{.force = &some.force}, Load{.stiffness = &some.stiffness},
+        Load{.damping = &some.damping}, Load{.dissipation = &some.dissipation}, Load{.convex = &some.convex}, Load{}})
     b->effect->add(b->at, load);
   EXPECT_EQ(some.energy, all.energy);
   EXPECT_EQ(some.dissipation, all.dissipation);
   EXPECT_EQ(some.force, all.force);
   EXPECT_EQ(dense(some.stiffness), dense(all.stiffness));
   EXPECT_EQ(dense(some.damping), dense(all.damping));
+  EXPECT_EQ(dense(some.convex), dense(all.convex));
 }
 
 TEST_P(EveryEffect, HasForcesAndTorquesThatSumToZeroIfInternal) {
@@ -251,7 +257,7 @@ TEST_P(EveryEffect, AnswersTheSameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(one.energy, many.energy);
     EXPECT_EQ(one.dissipation, many.dissipation);
     EXPECT_EQ(one.force, many.force);
-    for (const auto matrix : {&Answer::stiffness, &Answer::damping}) {
+    for (const auto matrix : {&Answer::stiffness, &Answer::damping, &Answer::convex}) {
       (one.*matrix).multiply(probe, expected);
       (many.*matrix).multiply(probe, product);
       EXPECT_EQ(expected, product);
@@ -274,20 +280,19 @@ TEST_P(EveryEffect, AnswersTheSameBitsWhereverItWasAskedBefore) {
   EXPECT_EQ(again.force, expected.force);
   EXPECT_EQ(dense(again.stiffness), dense(expected.stiffness));
   EXPECT_EQ(dense(again.damping), dense(expected.damping));
+  EXPECT_EQ(dense(again.convex), dense(expected.convex));
 }
 
 TEST_P(EveryEffect, HasAConvexStiffnessThatIsPositiveSemidefinite) {
   for (const unsigned seed : seeds) {
     const auto b = small(seed);
-    const Answer exact = ask(*b->effect, b->at), convex = ask(*b->effect, b->at, true);
-    for (const auto matrix : {&Answer::stiffness, &Answer::damping}) {
-      const Eigen::MatrixXd k = dense(convex.*matrix);
+    const Answer answer = ask(*b->effect, b->at);
+    for (const auto matrix : {&Answer::convex, &Answer::damping}) {
+      const Eigen::MatrixXd k = dense(answer.*matrix);
       const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues();
       EXPECT_GE(values.minCoeff(), -1e-12 * values.maxCoeff());
     }
-    EXPECT_TRUE(!GetParam().exact_is_convex || dense(convex.stiffness) == dense(exact.stiffness));
-    EXPECT_EQ(dense(convex.damping), dense(exact.damping));
-    EXPECT_EQ(convex.force, exact.force);
+    EXPECT_TRUE(!GetParam().exact_is_convex || dense(answer.convex) == dense(answer.stiffness));
   }
 }
 
@@ -361,9 +366,8 @@ TEST(Stretch, HasTheSameStiffnessConvexOrNotWhereTheYarnIsTaut) {
   Parts parts{fabric, laid, at};
   const auto stretch = make(Stretch{}, parts);
   Stiffness exact(9), convex(9);
-  Load exactly{.stiffness = &exact}, convexly{.stiffness = &convex, .convex = true};
-  stretch->add(at, exactly);
-  stretch->add(at, convexly);
+  Load both{.stiffness = &exact, .convex = &convex};
+  stretch->add(at, both);
   EXPECT_EQ(dense(exact), dense(convex));
 }
 
@@ -374,9 +378,8 @@ TEST(Bend, HasTheSameStiffnessConvexOrNotInAStraightYarn) {
   Parts parts{fabric, laid, at};
   const auto bend = make(Bend{}, parts);
   Stiffness exact(9), convex(9);
-  Load exactly{.stiffness = &exact}, convexly{.stiffness = &convex, .convex = true};
-  bend->add(at, exactly);
-  bend->add(at, convexly);
+  Load both{.stiffness = &exact, .convex = &convex};
+  bend->add(at, both);
   EXPECT_LT((dense(exact) - dense(convex)).norm(), 1e-12 * dense(exact).norm());
 }
 

@@ -41,58 +41,59 @@ Eigen::MatrixXd expected() {
   return k;
 }
 
-Eigen::MatrixXd upper_triangle(const Stiffness::Compressed& c) {
-  const auto n = static_cast<Eigen::Index>(c.start.size()) - 1;
-  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index j = 0; j < n; ++j)
-    for (int p = c.start[static_cast<std::size_t>(j)]; p < c.start[static_cast<std::size_t>(j) + 1]; ++p)
-      k(c.row[static_cast<std::size_t>(p)], j) += c.value[static_cast<std::size_t>(p)];
-  return k;
-}
-
 TEST(Stiffness, MultipliesAsTheFullSymmetricMatrix) { EXPECT_EQ(dense(example()), expected()); }
 
-TEST(Stiffness, CompressesToItsUpperTriangleWithRowsAscending) {
-  Stiffness::Compressed c;
-  long version = -1;
-  example().compress(c, version);
-  EXPECT_EQ(upper_triangle(c), Eigen::MatrixXd(expected().triangularView<Eigen::Upper>()));
-  for (std::size_t j = 0; j + 1 < c.start.size(); ++j)
-    for (int p = c.start[j] + 1; p < c.start[j + 1]; ++p)
-      EXPECT_LT(c.row[static_cast<std::size_t>(p) - 1], c.row[static_cast<std::size_t>(p)]);
+TEST(Stiffness, ListsEachBlockRowWithItsColumnsAscending) {
+  const Stiffness stiffness = example();
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(12, 12);
+  for (int i = 0; i < 4; ++i) {
+    int before = -1;
+    for (const auto& [column, slot] : stiffness.row(i)) {
+      EXPECT_GT(column, before);
+      before = column;
+      k.block<3, 3>(3 * i, 3 * column) = column < i ? Mat3(stiffness.at(slot).transpose()) : stiffness.at(slot);
+    }
+  }
+  EXPECT_EQ(k, expected());
 }
 
 TEST(Stiffness, KeepsItsPatternWhenClearedAndChangesVersionOnlyWithThePattern) {
   Stiffness stiffness = example();
-  Stiffness::Compressed c;
-  long version = -1;
-  stiffness.compress(c, version);
-  const auto rows = c.row;
   const long before = stiffness.version();
-
+  const int slot = stiffness.slot(0, 3);
   stiffness.clear();
   stiffness.add(0, 3, block(2, 2));
   EXPECT_EQ(stiffness.version(), before);
-  stiffness.compress(c, version);
-  EXPECT_EQ(c.row, rows);
-  EXPECT_EQ(upper_triangle(c).block(0, 9, 3, 3), block(2, 2));
-  EXPECT_EQ(upper_triangle(c).cwiseAbs().sum(), block(2, 2).cwiseAbs().sum());
+  EXPECT_EQ(stiffness.slot(0, 3), slot);
+  EXPECT_EQ(dense(stiffness).block(0, 9, 3, 3), block(2, 2));
+  EXPECT_EQ(dense(stiffness).cwiseAbs().sum(), 2 * block(2, 2).cwiseAbs().sum());
 
-  stiffness.touch(1, 2);
+  stiffness.slot(1, 2);
   EXPECT_GT(stiffness.version(), before);
-  stiffness.compress(c, version);
-  EXPECT_EQ(version, stiffness.version());
-  EXPECT_GT(c.row.size(), rows.size());
+  EXPECT_EQ(stiffness.slot(0, 3), slot);
 }
 
-TEST(Stiffness, ForgetsItsPatternWhenAsked) {
+TEST(Stiffness, AsksForTheBlocksOfAnOwnerOnceAVersion) {
   Stiffness stiffness = example();
-  const long before = stiffness.version();
-  stiffness.forget();
-  EXPECT_GT(stiffness.version(), before);
-  EXPECT_EQ(dense(stiffness), Eigen::MatrixXd::Zero(12, 12));
-  stiffness.add(1, 1, symmetric(1));
-  EXPECT_EQ(dense(stiffness).cwiseAbs().sum(), symmetric(1).cwiseAbs().sum());
+  int asked = 0;
+  const auto list = [&](std::vector<int>& slots) {
+    ++asked;
+    slots.push_back(stiffness.slot(1, 3));
+  };
+  const std::vector<int> first = stiffness.places(&asked, 5, list);
+  EXPECT_EQ(first, stiffness.places(&asked, 5, list));
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(first, stiffness.places(&asked, 6, list));
+  EXPECT_EQ(asked, 2);
+}
+
+TEST(Stiffness, FindsARunOfBlocksWhetherTheyAreThereOrNot) {
+  Stiffness stiffness = example();
+  std::vector<int> run;
+  stiffness.slots(0, 0, 4, run);
+  ASSERT_EQ(run.size(), 4U);
+  for (int j = 0; j < 4; ++j) EXPECT_EQ(run[static_cast<std::size_t>(j)], stiffness.slot(0, j));
+  EXPECT_EQ(dense(stiffness), expected());
 }
 
 }  // namespace

@@ -1,0 +1,108 @@
+#include "sim/solvers/cholesky.hpp"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+#include "tests/support/finite_difference.hpp"
+#include "tests/support/one_thread.hpp"
+
+namespace wale {
+namespace {
+
+/// A chain of points that lies in rows, each tied to the row before, as yarn in a fabric.
+class Ties {
+ public:
+  Ties(int points, int row, unsigned seed) : points_(points), row_(row), random_(seed) {}
+
+  Stiffness matrix() {
+    Stiffness K(points_);
+    for (int i = 0; i < points_; ++i)
+      for (const int j : {i + 1, i + 2, i + 3, i + row_, i + row_ + 1})
+        if (j < points_) tie(K, i, j);
+    return K;
+  }
+
+  /// Positive semidefinite: the square of a difference of two points.
+  void tie(Stiffness& K, int i, int j) {
+    std::uniform_real_distribution<double> number(-1, 1);
+    const Mat3 any = Mat3::NullaryExpr([&] { return number(random_); }), square = any.transpose() * any;
+    K.add(i, i, square);
+    K.add(j, j, square);
+    K.add(i, j, -square);
+  }
+
+ private:
+  int points_, row_;
+  std::mt19937 random_;
+};
+
+Eigen::VectorXd solved(const Cholesky& cholesky, Eigen::VectorXd x) {
+  cholesky.solve(x);
+  return x;
+}
+
+TEST(Cholesky, SolvesAsADenseSolverDoes) {
+  for (const int points : {1, 2, 40, 300}) {
+    const Stiffness K = Ties(points, 17, 3).matrix();
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3 * points, -1, 2);
+    Eigen::MatrixXd whole = dense(K);
+    whole.diagonal().array() += 0.3;
+    Cholesky cholesky;
+    ASSERT_TRUE(cholesky.factor(K, 0.3));
+    const Eigen::VectorXd expected = whole.ldlt().solve(b);
+    EXPECT_LT((solved(cholesky, b) - expected).norm(), 1e-10 * expected.norm());
+  }
+}
+
+TEST(Cholesky, FollowsAPatternThatGrows) {
+  Ties ties(60, 12, 5);
+  Stiffness K = ties.matrix();
+  Cholesky cholesky;
+  ASSERT_TRUE(cholesky.factor(K, 1));
+  ties.tie(K, 3, 55);
+  ASSERT_TRUE(cholesky.factor(K, 1));
+  const Eigen::VectorXd b = Eigen::VectorXd::Ones(180);
+  const Eigen::VectorXd x = solved(cholesky, b);
+  Eigen::VectorXd back;
+  K.multiply(x, back);
+  EXPECT_LT((back + x - b).norm(), 1e-10 * b.norm());
+}
+
+TEST(Cholesky, RefusesWhatIsNotPositiveDefinite) {
+  Stiffness K = Ties(80, 9, 1).matrix();
+  Cholesky cholesky;
+  EXPECT_TRUE(cholesky.factor(K, 1));
+  K.add(40, 40, Mat3(-1000 * Mat3::Identity()));
+  EXPECT_FALSE(cholesky.factor(K, 1));
+}
+
+TEST(Cholesky, GivesTheSameBitsForAnyNumberOfThreads) {
+  OneThread restore;
+  const Stiffness K = Ties(2000, 45, 7).matrix();
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(6000, -1, 2);
+  const auto with = [&](int threads) {
+    omp_set_num_threads(threads);
+    Cholesky cholesky;
+    EXPECT_TRUE(cholesky.factor(K, 0.01));
+    return solved(cholesky, b);
+  };
+  const Eigen::VectorXd one = with(1);
+  EXPECT_EQ(with(1), one);
+  EXPECT_EQ(with(2), one);
+  EXPECT_EQ(with(3), one);
+}
+
+TEST(Cholesky, LeavesTheThreadsOfItsCallerAsTheyAre) {
+  const int levels = omp_get_max_active_levels(), threads = omp_get_max_threads();
+  Cholesky cholesky;
+  ASSERT_TRUE(cholesky.factor(Ties(40, 17, 3).matrix(), 1));
+  solved(cholesky, Eigen::VectorXd::Ones(120));
+  EXPECT_EQ(omp_get_max_active_levels(), levels);
+  EXPECT_EQ(omp_get_max_threads(), threads);
+}
+
+}  // namespace
+}  // namespace wale
