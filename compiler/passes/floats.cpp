@@ -8,7 +8,7 @@
 namespace wale {
 namespace {
 
-constexpr double float_depth = 1.9;    // diameters from the middle of the loops that it passes
+constexpr double float_depth = 1.35;   // diameters from the middle of the loops that it passes
 constexpr double inlay_depth = 0.4;    // diameters from the middle of the loops half way up
 constexpr double longest_climb = 2.5;  // courses: further, yarn goes up along the side
 constexpr double turn_room = 0.9;      // wales beside the last loop that yarn led by misses passes

@@ -356,9 +356,9 @@ TEST(KnitoutCorpus, IsPlacedAsItsGraphsDemand) {
       if (each.code == "L011") entangled.insert(fs::path(file.at("path")).filename().string());
     }
   }
-  EXPECT_GE(placed, 50);
+  EXPECT_GE(placed, 51);
   EXPECT_EQ(entangled, (std::set<std::string>{"example-band-20x40.k", "fairisle-13x12.k", "icord-bind-off.k",
-                                              "jersey-bindoff-13x12.k", "rib2x2-16x12.k"}));
+                                              "jersey-bindoff-13x12.k"}));
 }
 
 }  // namespace
