@@ -24,7 +24,7 @@ std::vector<Crossing> unclear_from_the_face(const Fabric& fabric, const std::vec
 }
 
 constexpr std::string_view leave_out =
-    "`wale check` still counts this program; --courses and --needles leave a part of it out";
+    "`wale check` still counts this program; --courses and --needles (in a scene: crop) leave a part of it out";
 
 void prove_crossings(const StitchGraph& graph, const Fabric& fabric, const std::vector<Crossing>& crossings,
                      Diagnostics& say) {
