@@ -10,6 +10,7 @@ namespace {
 
 // A piece; blends, which have no third derivative at their ends, begin and end with a step.
 constexpr int steps = 40;
+constexpr int most_newton_steps = 6;  // a few do; where the yarn all but stands still the bracket is surer
 
 double length_between(const CurvePiece& piece, double from, double to) {
   double length = 0;
@@ -65,9 +66,15 @@ CurvePiece::Point ArcLength::at(double s) const {
   const auto& knots = knots_[piece];
   const double along = std::clamp(s - start_[piece], 0.0, knots.back());
   const auto after = std::upper_bound(knots.begin() + 1, knots.end() - 1, along);
-  const double high = double(std::distance(knots.begin(), after)) / steps;
-  const double u =
-      ridders([&](double x) { return up_to(piece, x) - along; }, high - 1.0 / steps, high, 1e-13 * total());
+  const double high = double(std::distance(knots.begin(), after)) / steps, low = high - 1.0 / steps;
+  const double tolerance = 1e-13 * total();
+  double u = low + (along - *(after - 1)) / (*after - *(after - 1)) / steps;
+  for (int i = 0; i < most_newton_steps; ++i) {
+    const double off = up_to(piece, u) - along;
+    if (std::abs(off) <= tolerance) return curve_.pieces[piece].at(u);
+    u = std::clamp(u - off / curve_.pieces[piece].at(u).dy.norm(), low, high);
+  }
+  u = ridders([&](double x) { return up_to(piece, x) - along; }, low, high, tolerance);
   return curve_.pieces[piece].at(u);
 }
 

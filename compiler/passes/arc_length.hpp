@@ -15,7 +15,7 @@ class ArcLength {
   double length_of(std::size_t piece) const { return start_[piece + 1] - start_[piece]; }
   /// The piece that holds the point at arc length `s`, m; s is clamped to [0, total()].
   std::size_t piece_at(double s) const;
-  /// The point at arc length `s`, to 1e-13 of the total, by Ridders' bracketed root-finder.
+  /// The point at arc length `s`, to 1e-13 of the total, by Newton's method or else Ridders' bracketed root-finder.
   CurvePiece::Point at(double s) const;
 
  private:
