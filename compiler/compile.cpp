@@ -46,9 +46,11 @@ std::optional<Compiled> draw(std::string name, Program program, StitchGraph grap
     return std::nullopt;
   }
   Fabric fabric = passes::fit(curves, yarns, segments_per_stitch);
-  passes::prove(graph, fabric, demanded_crossings(graph, arrangement, fabric), say);
+  auto crossings = demanded_crossings(graph, arrangement, fabric);
+  passes::prove(graph, fabric, crossings, say);
   if (say.error_count() > errors) return std::nullopt;
-  auto crossings = lasting_crossings(graph, arrangement, fabric);
+  const bool drops = std::any_of(graph.loops.begin(), graph.loops.end(), [](const Loop& loop) { return loop.dropped; });
+  if (drops) crossings = lasting_crossings(graph, arrangement, fabric);
   return Compiled{std::move(name), std::move(program),  std::move(graph), std::move(arrangement), std::move(fabric),
                   Gauge{},         std::move(crossings)};
 }

@@ -48,7 +48,7 @@ class Edging {
     chain({radius_, row_.level + style_.size.y, true}, near, near - length(), 0);
     const double reach = 2 * style_.size.pitch;
     const Point to = pieces_.front().at(0);
-    rise_by([&] { bridge(style_.stitch, to, reach, reach, last_place().material); });
+    lead_in([&] { bridge(style_.stitch, to, reach, reach, last_place().material); });
     return std::move(pieces_);
   }
 
@@ -56,7 +56,7 @@ class Edging {
     const double near = beyond_last();
     chain({radius_, row_.level + style_.size.y - style_.size.pitch, true}, near, near + length(), length());
     const Point to = pieces_.front().at(0);
-    rise_by([&] { rise(style_.stitch, to); });
+    lead_in([&] { rise(style_.stitch, to); });
     return std::move(pieces_);
   }
 
@@ -82,7 +82,7 @@ class Edging {
 
   /// Puts what `lead` adds before the chain.
   template <class Lead>
-  void rise_by(const Lead& lead) {
+  void lead_in(const Lead& lead) {
     std::vector<CurvePiece> spiral = std::move(pieces_);
     pieces_.clear();
     lead();

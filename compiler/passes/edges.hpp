@@ -33,7 +33,7 @@ std::vector<CurvePiece> cast_on(const EdgeRow& first, const EdgeStyle&);
 /// Back over the last course of a flat fabric.
 std::vector<CurvePiece> bind_off_flat(const EdgeRow& last, const EdgeStyle&);
 
-/// On in the round over the last course of a tube, which lies `pitch` lower there and `round` further.
+/// On in the round over the last course of a tube, which the strip passes a turn further on and a course lower.
 std::vector<CurvePiece> bind_off_round(const EdgeRow& last, const EdgeStyle&);
 
 }  // namespace wale
