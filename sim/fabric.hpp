@@ -39,7 +39,8 @@ struct Material {
 struct Segment {
   std::int32_t yarn = 0;      ///< index into Fabric::yarns
   std::int32_t material = 0;  ///< index into Fabric::materials
-  std::int32_t stitch = -1;   ///< index into StitchGraph::loops; -1 for cast-on, bind-off and joins
+  std::int32_t stitch = -1;   ///< index into StitchGraph::loops, of a periodic fabric those of the
+                              ///< larger piece that it is cut from; -1 for cast-on, bind-off and joins
   double length = 0;          ///< rest length as laid by the compiler (l0), m; sets the mass
   double knitted = 0;         ///< rest length that the stitch length asks for (η l0), m
 };
@@ -53,8 +54,9 @@ struct Yarn {
 };
 
 /// One repeat of a fabric without end: everything in it comes again after each period. Every yarn goes on by the course
-/// period, so that its last three control points are its first three, one course period on.
-struct Cell {
+/// period, so that its last three control points are its first three, one course period on. tile() lays several repeats
+/// side by side; Scene::crossings of such a fabric are segments of a tile.
+struct PeriodicCell {
   Vec3 course = Vec3::Zero();  ///< from a stitch to the same one a repeat to its right, m
   Vec3 wale = Vec3::Zero();    ///< from a stitch to the same one a repeat above, m
 };
@@ -62,9 +64,9 @@ struct Cell {
 struct Fabric {
   std::vector<Material> materials;
   std::vector<Yarn> yarns;
-  std::vector<Segment> segments;  ///< all yarns, in order
-  Points points;                  ///< 3 x M, as laid by the compiler
-  std::optional<Cell> cell;       ///< of a periodic fabric, as laid by the compiler
+  std::vector<Segment> segments;     ///< all yarns, in order
+  Points points;                     ///< 3 x M, as laid by the compiler
+  std::optional<PeriodicCell> cell;  ///< of a periodic fabric, as laid by the compiler
 
   /// The first of the four control points (adjacent columns) that carry a segment.
   int first_point(int segment) const {

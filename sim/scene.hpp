@@ -91,33 +91,52 @@ using SolverSpec = std::variant<QuasiStatic, RungeKutta>;
 
 enum class Along : std::uint8_t { wale, course };
 
-/// Pull the two ends apart, to an engineering strain.
+/// Pull the two ends apart, or lengthen a period, to engineering strains, one after the other; see strain_of().
 struct Pull {
   Along along = Along::wale;
-  double strain = 0.6;  ///< 0.6 is 60 %
+  std::vector<double> strains{0.6};  ///< 0.6 is 60 %; at least one, the first other than 0, each other than the last
 };
 
-enum class Hold : std::uint8_t { none, ends };
+/// What becomes of the two periods of a periodic fabric. Strains are engineering strains, counted from the periods with
+/// which the stage begins.
+struct Deform {
+  enum class How : std::uint8_t { free, held, driven };
+  struct Part {
+    How how = How::free;
+    std::vector<double> strains;  ///< of a part that is driven, reached one after the other: at least one, and as many
+                                  ///< in each such part; each moves one of them on; see strain_of()
+    bool operator==(const Part&) const = default;
+  };
+  Part wale;    ///< the length of the wale period along the wales
+  Part course;  ///< the length of the course period
+  Part shear;   ///< how far the wale period leans along the courses, over its length along the wales
+  bool operator==(const Deform&) const = default;
+};
+
+enum class Hold : std::uint8_t { none, ends, periods };
 
 struct Stage {
-  std::string name = "run";       ///< "tighten", "relax", "pull": in results and messages
-  double duration = 1;            ///< s; quasi-static: the load parameter's range
-  int samples = 10;               ///< snapshots at even intervals, the last one at the end
-  std::optional<double> tighten;  ///< rest lengths go to this share of the way from `length` to `knitted`
-  Hold hold = Hold::none;         ///< `ends`: cast-on and bind-off are held and shrink with the rest length
-  std::optional<Along> mount;     ///< grips close and move apart until they read no force; a sample a move
-  std::optional<Pull> pull;
+  std::string name = "run";         ///< "tighten", "relax", "pull": in results and messages
+  double duration = 1;              ///< s; quasi-static: the load parameter's range
+  int samples = 10;                 ///< snapshots at even intervals, the last one at the end
+  std::optional<double> tighten;    ///< rest lengths go to this share of the way from `length` to `knitted`
+  Hold hold = Hold::none;           ///< `ends`: cast-on and bind-off are held and shrink with the rest length;
+                                    ///< `periods`: those of a periodic fabric are held
+  std::optional<Along> mount;       ///< grips close and move apart until they read no force; a sample a move
+  std::optional<Pull> pull;         ///< not with `deform`
+  std::optional<Deform> deform;     ///< of a periodic fabric; see deform_of()
   double grip_stiffness = 1e6;      ///< k_t of the tethers of `hold` and `pull`, N/m²
   std::vector<EffectSpec> effects;  ///< what is not here is not simulated
   SolverSpec solver;
 };
 
-/// How the fabric is measured: the two ends that are gripped, along either direction, and its reference section.
+/// How the fabric is measured: the two ends that are gripped, along either direction (a periodic fabric has none), and
+/// its reference section.
 struct Gauge {
   std::array<std::vector<int>, 2> wale_ends;    ///< segments of the bottom and the top grip
   std::array<std::vector<int>, 2> course_ends;  ///< segments of the left and the right grip
-  int wales = 0, courses = 0;
-  double thickness = 0;  ///< 2r of sigma = F / (2r S_R), m
+  int wales = 0, courses = 0;                   ///< of the swatch, or of the repeat
+  double thickness = 0;                         ///< 2r of sigma = F / (2r S_R), m
 };
 
 /// One yarn end held by a linear constraint; used by rod problems, not by swatches.
@@ -129,7 +148,8 @@ struct Clamp {
 };
 
 /// One side of a loop, from its head to the head beside it, that the stitch graph demands to be pulled through another
-/// loop; as segment ranges [first, last]. See sim/results/topology.hpp.
+/// loop; as segment ranges [first, last] of the fabric or, if that is periodic, of its tile() of repeats_for_crossings
+/// each way. See sim/results/topology.hpp and sim/tile.hpp.
 struct Crossing {
   int side_first = 0, side_last = 0;
   int loop_first = 0, loop_last = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/deform.hpp"
 #include "sim/spline.hpp"
 
 namespace wale {
@@ -94,7 +95,7 @@ void StageSetup::mount_ends(const std::vector<double>& travels) {
 
 void StageSetup::pull_ends() {
   close_grips(stage_.pull->along);
-  move_grips(stage_.pull->along, Schedule::ramp(0, stage_.pull->strain * gauge_length_, stage_.duration));
+  move_grips(stage_.pull->along, strain_of(*stage_.pull, stage_.duration).times(gauge_length_));
 }
 
 std::unique_ptr<World> StageSetup::world() const {

@@ -1,0 +1,52 @@
+#include "sim/tile.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace wale {
+namespace {
+
+/// One yarn of the repeat `above`, `across` times as long.
+void add_yarn(const Fabric& periodic, const Points& q, const Yarn& yarn, int across, int above, Fabric& tiled) {
+  const Vec3 course = q.rightCols<2>().col(0), wale = q.rightCols<2>().col(1);
+  const Yarn longer{static_cast<int>(tiled.points.cols()), tiled.segment_count(), across * yarn.segments};
+  tiled.points.conservativeResize(3, longer.first_point + longer.points());
+  for (int k = 0; k < longer.points(); ++k) {
+    // The last three points are the first three of the next repeat, and so come from the last repeat of the row.
+    const int to_right = std::min(k / yarn.segments, across - 1), own = k - to_right * yarn.segments;
+    tiled.points.col(longer.first_point + k) = q.col(yarn.first_point + own) + to_right * course + above * wale;
+  }
+  for (int k = 0; k < longer.segments; ++k) {
+    Segment segment = periodic.segment(yarn.first_segment + k % yarn.segments);
+    segment.yarn = static_cast<int>(tiled.yarns.size());
+    tiled.segments.push_back(segment);
+  }
+  tiled.yarns.push_back(longer);
+}
+
+}  // namespace
+
+Points points_and_periods(const Fabric& periodic) {
+  Points q(3, periodic.points.cols() + 2);
+  q << periodic.points, periodic.cell->course, periodic.cell->wale;
+  return q;
+}
+
+Fabric tile(const Fabric& periodic, const Points& q, int across, int up) {
+  if (!periodic.cell || q.cols() != periodic.points.cols() + 2 || across < 1 || up < 1)
+    throw std::invalid_argument("tile: not the points and periods of a periodic fabric");
+  Fabric tiled;
+  tiled.materials = periodic.materials;
+  tiled.points.resize(3, 0);
+  for (int above = 0; above < up; ++above)
+    for (const Yarn& yarn : periodic.yarns) add_yarn(periodic, q, yarn, across, above, tiled);
+  return tiled;
+}
+
+int tile_segment(const Fabric& periodic, int segment, int across, int to_right, int above) {
+  const Yarn& yarn = periodic.yarns[static_cast<std::size_t>(periodic.segment(segment).yarn)];
+  return across * (above * periodic.segment_count() + yarn.first_segment) + to_right * yarn.segments +
+         (segment - yarn.first_segment);
+}
+
+}  // namespace wale
