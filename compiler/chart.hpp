@@ -38,6 +38,8 @@ struct Chart {
   Side first_course_from = Side::right;    ///< where the first course begins: right is "right to left"
   Edge start = Edge::cast_on;              ///< cast_on or open
   Edge end = Edge::bind_off;               ///< bind_off or open
+  bool periodic = false;                   ///< one repeat of a fabric without end: its edges are left out, and every
+                                           ///< course is a yarn of its own that runs from left to right
   Span span;
 
   int wales() const { return courses.empty() ? 0 : static_cast<int>(courses.front().size()); }
@@ -54,6 +56,7 @@ struct ChartOverrides {
   std::optional<int> wales, courses;    ///< one-band charts stretch; others are refused if they do not tile
   std::optional<double> stitch_length;  ///< m
   YarnMaterials materials;
+  bool periodic = false;  ///< the chart is one repeat of a fabric without end
 };
 
 /// The picture of a chart, last line the first course, with course numbers and yarns; what `--show chart` prints.

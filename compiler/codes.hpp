@@ -55,6 +55,9 @@ inline constexpr auto front_codes = std::to_array<CodeInfo>({
     {"C012", Severity::error, "a chart, or a picture in it, is bigger than any fabric to be simulated", "courses: 40"},
     {"C013", Severity::error, "the wales or courses that a scene asks for do not suit the chart",
      "leave `courses:` out of the scene if the chart has several bands"},
+    {"C014", Severity::error,
+     "a chart that cannot be one repeat of a periodic fabric: a tube, a course of several yarns",
+     "bands:\n  - {stitch: rib 1x1, courses: 2, yarn: [a, b]}   # a yarn goes right across"},
     {"C020", Severity::warning,
      "the yarn is thicker than its stitches have room for: a jersey of hard tubes jams at stitch length / diameter = "
      "13.27",
@@ -62,6 +65,8 @@ inline constexpr auto front_codes = std::to_array<CodeInfo>({
     {"C021", Severity::warning, "colourwork other than intarsia is knitted as intarsia", "colorwork: intarsia"},
     {"C022", Severity::warning, "a stitch length of the chart is replaced by the scene's",
      "leave `stitch_length:` out of the scene"},
+    {"C023", Severity::warning, "a structure is cut off where a periodic fabric repeats it",
+     "fabric: {pattern: rib_2x2.yaml, wales: 4, courses: 2, periodic: true}"},
 
     {"M001", Severity::error, "a material that nobody has defined", "material: acrylic_16_2"},
     {"M002", Severity::error, "the quantities of a material are incomplete, or contradict each other",
@@ -83,6 +88,11 @@ inline constexpr auto front_codes = std::to_array<CodeInfo>({
      "stitch_length: {otherwise: 9 mm, 6: 9.5 mm, 25/40: 8 mm}"},
     {"S009", Severity::error, "a scene gives a material to a yarn or a carrier that its pattern does not have",
      "fabric: {pattern: plating.k, yarn: acrylic_16_2, yarns: {2: paper-as-printed}}"},
+    {"S010", Severity::error, "a scene asks a periodic fabric for what only a swatch has, or the other way about",
+     "- {name: tighten, duration: 1 s, tighten: 100 %}\n"
+     "- {name: stretch, duration: 8 s, deform: {wale: 100 %, course: free, shear: held}}"},
+    {"S011", Severity::error, "a list of strains stands still somewhere, or is not as long as the one beside it",
+     "pull: {along: wale, to: [60 %, 0 %, 60 %, 0 %]}"},
 });
 
 /// All codes, the front's first.

@@ -29,14 +29,18 @@ double length_of_floats(const Curves& curves) {
   return length;
 }
 
-/// From a stitch graph to a fabric with every crossing that it demands. Its gauge is not known yet.
-std::optional<Compiled> draw(std::string name, Program program, StitchGraph graph, const std::vector<Material>& yarns,
-                             const passes::Edges& edges, int segments_per_stitch, Diagnostics& say) {
-  const std::size_t errors = say.error_count();
+/// A stitch graph as curves.
+struct Drawn {
+  Arrangement arrangement;
+  Curves curves;
+};
+
+std::optional<Drawn> draw(const StitchGraph& graph, const std::vector<Material>& yarns, const passes::Edges& edges,
+                          Diagnostics& say) {
   const double diameter = widest_yarn(graph, yarns);
   const LoopSize size = large_enough(diameter, longest_stitch(graph));
   Arrangement arrangement = passes::arrange(graph, size, diameter);
-  const Curves curves = passes::draw(graph, arrangement, size, diameter, edges);
+  Curves curves = passes::draw(graph, arrangement, size, diameter, edges);
   constexpr double most_wales = 3e5;  // of floats; they cost as much memory as stitches
   if (length_of_floats(curves) > most_wales * size.wale()) {
     say.error(
@@ -45,14 +49,71 @@ std::optional<Compiled> draw(std::string name, Program program, StitchGraph grap
         "leave out what lies far away, with --needles or --courses");
     return std::nullopt;
   }
-  Fabric fabric = passes::fit(curves, yarns, segments_per_stitch);
-  auto crossings = demanded_crossings(graph, arrangement, fabric);
+  return Drawn{std::move(arrangement), std::move(curves)};
+}
+
+/// The fabric of a drawing, with every crossing that its graph demands and no other. Its gauge is not known yet.
+std::optional<Compiled> proved(std::string name, Program program, StitchGraph graph, const Drawn& drawn,
+                               const std::vector<Material>& yarns, int segments_per_stitch, Diagnostics& say) {
+  const std::size_t errors = say.error_count();
+  Fabric fabric = passes::fit(drawn.curves, yarns, segments_per_stitch);
+  auto crossings = demanded_crossings(graph, drawn.arrangement, fabric);
   passes::prove(graph, fabric, crossings, say);
   if (say.error_count() > errors) return std::nullopt;
   const bool drops = std::any_of(graph.loops.begin(), graph.loops.end(), [](const Loop& loop) { return loop.dropped; });
-  if (drops) crossings = lasting_crossings(graph, arrangement, fabric);
-  return Compiled{std::move(name), std::move(program),  std::move(graph), std::move(arrangement), std::move(fabric),
+  if (drops) crossings = lasting_crossings(graph, drawn.arrangement, fabric);
+  return Compiled{std::move(name), std::move(program),  std::move(graph), drawn.arrangement, std::move(fabric),
                   Gauge{},         std::move(crossings)};
+}
+
+std::optional<Knitted> knit_chart(const Chart& chart, Diagnostics& say) {
+  auto program = passes::lower_chart(chart, say);
+  if (!program) return std::nullopt;
+  passes::check_program(*program, say);
+  if (say.failed()) return std::nullopt;
+  auto graph = passes::knit(*program, say);
+  if (!graph) return std::nullopt;
+  passes::check_graph(*graph, say);
+  if (say.failed()) return std::nullopt;
+  return Knitted{std::move(*program), std::move(*graph)};
+}
+
+std::optional<CompiledChart> compile_swatch(Chart chart, int segments_per_stitch, Diagnostics& say) {
+  auto knitted = knit_chart(chart, say);
+  if (!knitted) return std::nullopt;
+  const passes::Edges edges{chart.start == Edge::cast_on, chart.end == Edge::bind_off,
+                            static_cast<int>(chart.yarns.size())};
+  StitchGraph graph = passes::tie_ends(knitted->graph);
+  const auto drawn = draw(graph, chart.materials(), edges, say);
+  if (!drawn) return std::nullopt;
+  auto compiled = proved(chart.name, std::move(knitted->program), std::move(graph), *drawn, chart.materials(),
+                         segments_per_stitch, say);
+  if (!compiled) return std::nullopt;
+  compiled->gauge = gauge_of(chart, compiled->graph, compiled->fabric);
+  return CompiledChart{std::move(*compiled), std::move(chart)};
+}
+
+/// The larger piece is drawn and proved, the repeat cut out of its middle, and proved once more beside its like.
+std::optional<CompiledChart> compile_periodic(Chart chart, int segments_per_stitch, Diagnostics& say) {
+  const auto larger = passes::continue_chart(chart, say);
+  if (!larger) return std::nullopt;
+  auto knitted = knit_chart(larger->chart, say);
+  if (!knitted) return std::nullopt;
+  const auto drawn = draw(knitted->graph, chart.materials(), {}, say);
+  if (!drawn) return std::nullopt;
+  auto compiled = proved(chart.name, std::move(knitted->program), std::move(knitted->graph), *drawn, chart.materials(),
+                         segments_per_stitch, say);
+  if (!compiled) return std::nullopt;
+  const StitchGraph& graph = compiled->graph;
+  compiled->fabric =
+      passes::fit(passes::cut_repeat(drawn->curves, graph, larger->repeat), chart.materials(), segments_per_stitch);
+  const Fabric tiled = tile_of_loops(compiled->fabric, graph, larger->repeat);
+  compiled->crossings = periodic_crossings(graph, drawn->arrangement, tiled, larger->repeat);
+  passes::prove_crossings(graph, tiled, compiled->crossings, say);
+  if (say.failed()) return std::nullopt;
+  compiled->gauge.wales = chart.wales();
+  compiled->gauge.courses = chart.course_count();
+  return CompiledChart{std::move(*compiled), std::move(chart)};
 }
 
 }  // namespace
@@ -65,21 +126,8 @@ std::optional<CompiledChart> compile_chart(const Source& source, const ChartOver
 }
 
 std::optional<CompiledChart> compile_chart(Chart chart, int segments_per_stitch, Diagnostics& say) {
-  auto program = passes::lower_chart(chart, say);
-  if (!program) return std::nullopt;
-  passes::check_program(*program, say);
-  if (say.failed()) return std::nullopt;
-  auto graph = passes::knit(*program, say);
-  if (!graph) return std::nullopt;
-  passes::check_graph(*graph, say);
-  if (say.failed()) return std::nullopt;
-  const passes::Edges edges{chart.start == Edge::cast_on, chart.end == Edge::bind_off,
-                            static_cast<int>(chart.yarns.size())};
-  auto compiled = draw(chart.name, std::move(*program), passes::tie_ends(*graph), chart.materials(), edges,
-                       segments_per_stitch, say);
-  if (!compiled) return std::nullopt;
-  compiled->gauge = gauge_of(chart, compiled->graph, compiled->fabric);
-  return CompiledChart{std::move(*compiled), std::move(chart)};
+  if (chart.periodic) return compile_periodic(std::move(chart), segments_per_stitch, say);
+  return compile_swatch(std::move(chart), segments_per_stitch, say);
 }
 
 bool holds_knitout(const Source& source) {
@@ -132,7 +180,10 @@ std::optional<Compiled> compile_knitout(const Source& source, const KnitoutOptio
               "bring a carrier in and knit: `in 1`, `knit + f0 1`");
   if (say.error_count() > errors) return std::nullopt;
   warn_of_jamming(graph, yarns, say);
-  auto compiled = draw(source.name, std::move(program), passes::let_run(graph), yarns, {}, segments_per_stitch, say);
+  graph = passes::let_run(graph);
+  const auto drawn = draw(graph, yarns, {}, say);
+  if (!drawn) return std::nullopt;
+  auto compiled = proved(source.name, std::move(program), std::move(graph), *drawn, yarns, segments_per_stitch, say);
   if (compiled) compiled->gauge = gauge_of(compiled->graph, compiled->fabric);
   return compiled;
 }

@@ -25,7 +25,9 @@ struct CompiledChart : Compiled {
   Chart chart;
 };
 
-/// A chart to a fabric. Nothing if an error was reported. `segments_per_stitch` is at least 8.
+/// A chart to a fabric. Of a periodic one, program, graph and arrangement are those of the larger piece in which its
+/// repeat was drawn; fabric and crossings are the repeat's. Nothing if an error was reported. `segments_per_stitch` is
+/// at least 8.
 std::optional<CompiledChart> compile_chart(const Source&, const ChartOverrides&, int segments_per_stitch, Diagnostics&);
 std::optional<CompiledChart> compile_chart(Chart, int segments_per_stitch, Diagnostics&);
 

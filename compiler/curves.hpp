@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "sim/fabric.hpp"
@@ -27,6 +28,7 @@ struct YarnCurve {
 
 struct Curves {
   std::vector<YarnCurve> yarns;
+  std::optional<PeriodicCell> cell;  ///< of one repeat of a periodic fabric: every yarn goes on after its course period
 };
 
 }  // namespace wale

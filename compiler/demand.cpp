@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "sim/spline.hpp"
+#include "sim/tile.hpp"
 
 namespace wale {
 namespace {
@@ -92,6 +93,31 @@ std::vector<Crossing> demanded_crossings(const StitchGraph& graph, const Arrange
 std::vector<Crossing> lasting_crossings(const StitchGraph& graph, const Arrangement& arrangement,
                                         const Fabric& fabric) {
   return crossings_of(graph, arrangement, fabric, [](const Loop& loop) { return !loop.dropped; });
+}
+
+std::vector<Crossing> periodic_crossings(const StitchGraph& graph, const Arrangement& arrangement, const Fabric& tiled,
+                                         const Repeat& repeat) {
+  return crossings_of(graph, arrangement, tiled, [&repeat](const Loop& loop) { return repeat.holds(loop.cell); });
+}
+
+Fabric tile_of_loops(const Fabric& periodic, const StitchGraph& graph, const Repeat& repeat) {
+  std::map<ChartCell, int> loops;
+  for (int i = 0; i < static_cast<int>(graph.loops.size()); ++i)
+    loops[graph.loops[static_cast<std::size_t>(i)].cell] = i;
+  constexpr int count = repeats_for_crossings;
+  Fabric tiled = tile(periodic, points_and_periods(periodic), count, count);
+  for (int above = 0; above < count; ++above)
+    for (int to_right = 0; to_right < count; ++to_right)
+      for (int i = 0; i < periodic.segment_count(); ++i) {
+        const int stitch = periodic.segment(i).stitch;
+        if (stitch < 0) continue;
+        const ChartCell& cell = graph.loops[static_cast<std::size_t>(stitch)].cell;
+        const auto there = loops.find(
+            {cell.course + (above - count / 2) * repeat.courses, cell.wale + (to_right - count / 2) * repeat.wales});
+        tiled.segments[static_cast<std::size_t>(tile_segment(periodic, i, count, to_right, above))].stitch =
+            there == loops.end() ? -1 : there->second;
+      }
+  return tiled;
 }
 
 Gauge gauge_of(const StitchGraph& graph, const Fabric& fabric) {

@@ -11,6 +11,7 @@
 #include "compiler/machines.hpp"
 #include "compiler/passes/loop_shape.hpp"
 #include "compiler/program.hpp"
+#include "compiler/repeat.hpp"
 #include "compiler/stitch_graph.hpp"
 #include "compiler/stitch_lengths.hpp"
 #include "sim/scene.hpp"
@@ -23,7 +24,16 @@ struct Edges {
   int yarns = 0;  ///< materials; after them follow their edge forms
 };
 
+/// One repeat of a periodic fabric, continued to all sides by so much that it lies as it would in an endless one.
+struct Continued {
+  Chart chart;
+  Repeat repeat;
+};
+
 std::optional<Chart> parse_chart(const Source&, const ChartOverrides&, Diagnostics&);
+/// Of a periodic chart: the larger piece in which its repeat is drawn. An error if it cannot be continued, as a tube or
+/// a course of several yarns.
+std::optional<Continued> continue_chart(const Chart&, Diagnostics&);
 /// A knitout file. Always gives a program: lines at fault are reported and left out, so that the rest can be counted.
 Program parse_knitout(const Source&, Diagnostics&);
 /// How much yarn each loop takes, by the stitch setting under which it is made.
@@ -55,10 +65,16 @@ StitchGraph tie_ends(const StitchGraph&);
 Arrangement arrange(const StitchGraph&, const LoopSize&, double diameter);
 /// One smooth curve a yarn, through the right side of each loop. `edges` are for graphs of charts.
 Curves draw(const StitchGraph&, const Arrangement&, const LoopSize&, double diameter, const Edges& edges);
+/// Of a periodic chart: each course of the repeat, from its first stitch to the same one a repeat further, out of the
+/// curves of the larger piece. The first stitch of the lowest course begins at the origin.
+Curves cut_repeat(const Curves&, const StitchGraph&, const Repeat&);
 /// Equal arc length, spline through the points; `segments_per_stitch` at least 8. Pieces count `yarns`, and after them
-/// their edge forms in the same order; the fabric has those of which there is a piece.
+/// their edge forms in the same order; the fabric has those of which there is a piece. Curves with a cell become a
+/// periodic fabric.
 Fabric fit(const Curves&, const std::vector<Material>& yarns, int segments_per_stitch);
 /// Whether the fabric has every crossing that its graph demands, and no yarn through a loop that it does not; an error
 /// at the first loop that is not placed right.
 void prove(const StitchGraph&, const Fabric&, const std::vector<Crossing>&, Diagnostics&);
+/// The first half of it, for crossings of a part of the graph.
+void prove_crossings(const StitchGraph&, const Fabric&, const std::vector<Crossing>&, Diagnostics&);
 }  // namespace wale::passes

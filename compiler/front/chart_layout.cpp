@@ -33,8 +33,12 @@ class Layouter {
                 head_.first_course_from,
                 head_.start,
                 head_.end,
+                overrides_.periodic,
                 start_of(head_.wales_span)};
-    for (const Band& band : bands_) add(band, chart);
+    for (const Band& band : bands_) {
+      if (overrides_.periodic) check_repeat(band);
+      add(band, chart);
+    }
     return chart;
   }
 
@@ -114,6 +118,22 @@ class Layouter {
          fmt::format("a picture of {} wales x {} courses does not fit into {} x {}", tile.wales(), tile.courses(),
                      wales, courses),
          "draw it smaller, or make room for it; a smaller picture is repeated");
+  }
+
+  /// Where one structure fills the whole width, or the whole height, it should not be cut off there.
+  void check_repeat(const Band& band) {
+    for (const Panel& panel : band.panels)
+      for (const Tile* tile : {&panel.stitches, &panel.yarns}) {
+        const int wales = band.panels.size() == 1 ? wales_ : tile->wales();
+        const int courses = bands_.size() == 1 ? *band.courses : tile->courses();
+        if (wales % tile->wales() == 0 && courses % tile->courses() == 0) continue;
+        say_.warning(
+            "C023", start_of(tile->span),
+            fmt::format("{} wales x {} courses do not repeat evenly in {} x {}: the periodic fabric has a seam",
+                        tile->wales(), tile->courses(), wales_, *band.courses),
+            fmt::format("ask for a multiple of {} wales and of {} courses", tile->wales(), tile->courses()));
+        return;
+      }
   }
 
   void check_size() {

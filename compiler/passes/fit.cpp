@@ -48,6 +48,16 @@ double stitch_length_drawn(const YarnCurve& yarn, const ArcLength& arc) {
   return std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
 }
 
+/// Through the ends of `count` pieces of equal length, which go on after the period if there is one.
+Points control_points(const ArcLength& arc, int count, const std::optional<PeriodicCell>& cell) {
+  const double length = arc.total() / count;
+  Points through(3, count + 1);
+#pragma omp parallel for schedule(static)
+  for (int k = 0; k <= count; ++k) through.col(k) = arc.at(k * length).y;
+  if (cell) return interpolate_periodic(through.leftCols(count), cell->course);
+  return interpolate(through, arc.at(0).dy.normalized() * length, arc.at(arc.total()).dy.normalized() * length);
+}
+
 void fit_yarn(const YarnCurve& curve, int segments_per_stitch, Fabric& fabric) {
   const ArcLength arc(curve);
   const int count =
@@ -57,12 +67,8 @@ void fit_yarn(const YarnCurve& curve, int segments_per_stitch, Fabric& fabric) {
 
   const int first_point = static_cast<int>(fabric.points.cols());
   Yarn yarn{first_point, fabric.segment_count(), count};
-  Points through(3, count + 1);
-#pragma omp parallel for schedule(static)
-  for (int k = 0; k <= count; ++k) through.col(k) = arc.at(k * length).y;
-  const Vec3 from = arc.at(0).dy.normalized() * length, to = arc.at(arc.total()).dy.normalized() * length;
   fabric.points.conservativeResize(3, first_point + count + 3);
-  fabric.points.rightCols(count + 3) = interpolate(through, from, to);
+  fabric.points.rightCols(count + 3) = control_points(arc, count, fabric.cell);
 
   for (int k = 0; k < count; ++k) {
     const std::size_t piece = arc.piece_at((k + 0.5) * length);
@@ -90,6 +96,7 @@ void drop_unused_materials(Fabric& fabric) {
 
 Fabric fit(const Curves& curves, const std::vector<Material>& yarns, int segments_per_stitch) {
   Fabric fabric;
+  fabric.cell = curves.cell;
   fabric.points.resize(3, 0);
   fabric.materials = yarns;
   for (const Material& yarn : yarns) fabric.materials.push_back(at_edge(yarn));

@@ -10,4 +10,8 @@ namespace wale {
 /// finite points).
 Points interpolate(const Points& through, const Vec3& from, const Vec3& to);
 
+/// The same through n points, n >= 1, and these again after each `period`, without end. Returns n + 3 control points, of
+/// which the last three are exactly the first three, one period on.
+Points interpolate_periodic(const Points& through, const Vec3& period);
+
 }  // namespace wale

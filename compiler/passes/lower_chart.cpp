@@ -28,6 +28,7 @@ Direction along(const Chart& chart, int wale, bool from_left) {
 }
 
 bool starts_from_left(const Chart& chart, int course) {
+  if (chart.periodic) return true;
   const bool first = chart.first_course_from == Side::left;
   return chart.form == Form::tube || course % 2 == 0 ? first : !first;
 }
@@ -48,6 +49,7 @@ class Lowering {
       } else {
         if (course > 0) transfer_to(course);
         knit_row(course);
+        if (chart_.periodic) end_course(course);
       }
     }
     return std::move(program_);
@@ -86,6 +88,12 @@ class Lowering {
     }
   }
 
+  /// The yarn goes on to the right; what comes in from the left in the next course is another piece of it.
+  void end_course(int course) {
+    const ChartCell last{course, chart_.wales() - 1};
+    if (in_[static_cast<std::size_t>(cell_at(last.course, last.wale).yarn)]) take_out(last);
+  }
+
   /// Half by half. Loops wait on their half's own bed, the front half's on the front bed: on the other they would lie
   /// behind the yarn that knits the other half, and the halves would be knitted into each other.
   void knit_round(int course) {
@@ -117,8 +125,14 @@ class Lowering {
 
   /// The yarns whose last stitch is made.
   void take_out() {
-    for (const ChartCell& at : done_) emit(Op::out, at.course, at.wale).carriers = {cell_at(at.course, at.wale).yarn};
+    for (const ChartCell& at : done_) take_out(at);
     done_.clear();
+  }
+
+  void take_out(const ChartCell& at) {
+    const int yarn = cell_at(at.course, at.wale).yarn;
+    emit(Op::out, at.course, at.wale).carriers = {yarn};
+    in_[static_cast<std::size_t>(yarn)] = false;
   }
 
   const Chart& chart_;

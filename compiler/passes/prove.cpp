@@ -26,6 +26,20 @@ std::vector<Crossing> unclear_from_the_face(const Fabric& fabric, const std::vec
 constexpr std::string_view leave_out =
     "`wale check` still counts this program; --courses and --needles (in a scene: crop) leave a part of it out";
 
+void prove_nothing_else(const StitchGraph& graph, const Fabric& fabric, Diagnostics& say) {
+  const std::vector<Entanglement> found = entanglements(graph, fabric);
+  if (found.empty()) return;
+  const Entanglement& first = found.front();
+  say.error(
+      codes::entangled, graph.loops[static_cast<std::size_t>(first.loop)].span,
+      fmt::format("loop {} or the yarn that leads to it is drawn through loop {}, which it does not touch ({} such "
+                  "places)",
+                  first.loop, first.with, found.size()),
+      std::string(leave_out));
+}
+
+}  // namespace
+
 void prove_crossings(const StitchGraph& graph, const Fabric& fabric, const std::vector<Crossing>& crossings,
                      Diagnostics& say) {
   const std::vector<Crossing> unclear = unclear_from_the_face(fabric, crossings);
@@ -40,20 +54,6 @@ void prove_crossings(const StitchGraph& graph, const Fabric& fabric, const std::
                         loop, std::count(held.begin(), held.end(), false), crossings.size()),
             std::string(leave_out));
 }
-
-void prove_nothing_else(const StitchGraph& graph, const Fabric& fabric, Diagnostics& say) {
-  const std::vector<Entanglement> found = entanglements(graph, fabric);
-  if (found.empty()) return;
-  const Entanglement& first = found.front();
-  say.error(
-      codes::entangled, graph.loops[static_cast<std::size_t>(first.loop)].span,
-      fmt::format("loop {} or the yarn that leads to it is drawn through loop {}, which it does not touch ({} such "
-                  "places)",
-                  first.loop, first.with, found.size()),
-      std::string(leave_out));
-}
-
-}  // namespace
 
 void prove(const StitchGraph& graph, const Fabric& fabric, const std::vector<Crossing>& crossings, Diagnostics& say) {
   prove_crossings(graph, fabric, crossings, say);
