@@ -103,13 +103,13 @@ struct Deform {
   enum class How : std::uint8_t { free, held, driven };
   struct Part {
     How how = How::free;
-    std::vector<double> strains;  ///< of a part that is driven, reached one after the other: at least one, and as many
-                                  ///< in each such part; each moves one of them on; see strain_of()
+    std::vector<double> strains{};  ///< of a part that is driven, reached one after the other: at least one, and as
+                                    ///< many in each such part; each moves one of them on; see strain_of()
     bool operator==(const Part&) const = default;
   };
-  Part wale;    ///< the length of the wale period along the wales
-  Part course;  ///< the length of the course period
-  Part shear;   ///< how far the wale period leans along the courses, over its length along the wales
+  Part wale{};    ///< the length of the wale period along the wales
+  Part course{};  ///< the length of the course period
+  Part shear{};   ///< how far the wale period leans along the courses, over its length along the wales
   bool operator==(const Deform&) const = default;
 };
 

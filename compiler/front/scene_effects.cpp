@@ -154,12 +154,29 @@ constexpr EffectReader effect_readers[] = {
     {"plates", as_effect<read_plates>},   {"knots", as_effect<read_knots>},
 };
 
+/// What has no meaning in a fabric without ends, and why.
+struct ForSwatches {
+  std::string_view key, hint;
+};
+constexpr ForSwatches effects_for_swatches[] = {
+    {"gravity", "leave it out: nothing carries the weight of an endless fabric"},
+    {"knots", "leave it out: the yarns of a periodic fabric have no ends"},
+};
+
+void refuse_in_periodic(const Fields& fields, Diagnostics& say) {
+  for (const auto& [key, hint] : effects_for_swatches)
+    if (const YamlNode* given = fields.find(key))
+      say.error("S010", given->span, fmt::format("\"{}\" is for swatches, and this fabric is periodic", key),
+                std::string(hint));
+}
+
 }  // namespace
 
-void read_effects(const YamlNode& node, std::vector<EffectSpec>& effects, Diagnostics& say) {
+void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& effects, Diagnostics& say) {
   std::vector<std::string_view> keys;
   for (const EffectReader& reader : effect_readers) keys.push_back(reader.key);
   const Fields fields(node, "the effects", keys, say);
+  if (periodic) refuse_in_periodic(fields, say);
   for (const EffectReader& reader : effect_readers) {
     const YamlNode* given = fields.find(reader.key);
     if (!given) continue;

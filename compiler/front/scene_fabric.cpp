@@ -39,10 +39,10 @@ StitchLengths read_table(const YamlNode& node, Diagnostics& say) {
 class FabricReader {
  public:
   FabricReader(const YamlNode& node, ParsedScene& scene, Diagnostics& say)
-      : fields_(
-            node, "a fabric",
-            {"pattern", "crop", "wales", "courses", "yarn", "yarns", "plating", "stitch_length", "segments_per_stitch"},
-            say),
+      : fields_(node, "a fabric",
+                {"pattern", "crop", "wales", "courses", "periodic", "yarn", "yarns", "plating", "stitch_length",
+                 "segments_per_stitch"},
+                say),
         scene_(scene),
         say_(say) {}
 
@@ -53,6 +53,7 @@ class FabricReader {
       scene_.pattern_span = pattern->span;
     }
     read_size();
+    if (const YamlNode* periodic = fields_.find("periodic")) read_periodic(*periodic);
     if (const YamlNode* yarn = fields_.find("yarn"))
       scene_.overrides.materials.otherwise = read_material(*yarn, "yarn", say_);
     if (const YamlNode* yarns = fields_.find("yarns")) read_yarns(*yarns);
@@ -83,6 +84,11 @@ class FabricReader {
       scene_.overrides.courses = read_count(*courses, "the number of courses", 1, limits::most_courses, say_);
       only_for_charts("\"courses\"", "keep a part of the file: `crop: {courses: 1-20}`", *courses);
     }
+  }
+
+  void read_periodic(const YamlNode& node) {
+    scene_.overrides.periodic = read_bool(node, "\"periodic\"", say_).value_or(false);
+    if (scene_.overrides.periodic) only_for_charts("\"periodic\"", "leave it out, or draw one repeat as a chart", node);
   }
 
   void read_yarns(const YamlNode& node) {

@@ -1,6 +1,7 @@
 /// The parts of a scene file that have a reader of their own.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compiler/front/scene.hpp"
@@ -11,11 +12,16 @@ namespace wale {
 
 /// `fabric`: the pattern, and what is asked of it.
 void read_fabric(const YamlNode&, ParsedScene&, Diagnostics&);
-/// Adds what `node` names to `effects`; one that is there already is replaced.
-void read_effects(const YamlNode& node, std::vector<EffectSpec>& effects, Diagnostics&);
+/// Adds what `node` names to `effects`; one that is there already is replaced. Of a periodic fabric those are refused
+/// that act on ends or need something to hold it.
+void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& effects, Diagnostics&);
 /// `quasi_static` or `runge_kutta`, alone or as a map with settings.
 SolverSpec read_solver(const YamlNode&, Diagnostics&);
+/// `pull`: a direction and a strain, or several. Nothing if it is no map.
+std::optional<Pull> read_pull(const YamlNode&, bool periodic, Diagnostics&);
+/// `deform`: what becomes of both periods and their shear.
+Deform read_deform(const YamlNode&, Diagnostics&);
 /// `common` holds the effects and the solver of every stage.
-std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, Diagnostics&);
+std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, Diagnostics&);
 
 }  // namespace wale

@@ -9,20 +9,18 @@ namespace {
 constexpr std::string_view example_stages =
     "add `stages:` with a line for each, as in `- {name: tighten, duration: 1 s, tighten: 100 %, hold: ends}`, "
     "`- {name: relax, duration: 1 s}`, `- {name: pull, duration: 8 s, pull: {along: wale, to: 60 %}}`";
-constexpr std::string_view example_pull =
-    "say along what: `pull: {along: wale, to: 60 %}` or `{along: course, to: 60 %}`";
-
 constexpr int most_samples = 100'000;
 
 class StageReader {
  public:
-  StageReader(const YamlNode& node, Stage common, Diagnostics& say)
+  StageReader(const YamlNode& node, Stage common, bool periodic, Diagnostics& say)
       : node_(node),
-        fields_(
-            node, "a stage",
-            {"name", "duration", "samples", "tighten", "hold", "mount", "pull", "grip_stiffness", "effects", "solver"},
-            say),
+        fields_(node, "a stage",
+                {"name", "duration", "samples", "tighten", "hold", "mount", "pull", "deform", "grip_stiffness",
+                 "effects", "solver"},
+                say),
         stage_(std::move(common)),
+        periodic_(periodic),
         say_(say) {}
 
   Stage read() {
@@ -39,70 +37,84 @@ class StageReader {
       stage_.tighten = read_quantity(*tighten, "\"tighten\"", dimensions::ratio, {0, 1}, say_);
     }
     if (const YamlNode* hold = fields_.find("hold")) {
-      const auto word = read_word(*hold, "\"hold\"", {"none", "ends"}, say_);
-      stage_.hold = word.value_or(0) == 1 ? Hold::ends : Hold::none;
+      const auto word = read_word(*hold, "\"hold\"", {"none", "ends", "periods"}, say_);
+      stage_.hold = static_cast<Hold>(word.value_or(0));
     }
     if (const YamlNode* mount = fields_.find("mount")) {
       const auto word = read_word(*mount, "\"mount\"", {"wale", "course"}, say_);
       stage_.mount = word.value_or(0) == 0 ? Along::wale : Along::course;
     }
-    if (const YamlNode* pull = fields_.find("pull")) read_pull(*pull);
+    if (const YamlNode* pull = fields_.find("pull")) stage_.pull = read_pull(*pull, periodic_, say_);
+    if (const YamlNode* deform = fields_.find("deform")) stage_.deform = read_deform(*deform, say_);
     if (const YamlNode* grip = fields_.find("grip_stiffness")) {
       const auto value = read_quantity(*grip, "the grip stiffness", dimensions::foundation, {1e-6, 1e12}, say_);
       stage_.grip_stiffness = value.value_or(stage_.grip_stiffness);
     }
-    if (const YamlNode* effects = fields_.find("effects")) read_effects(*effects, stage_.effects, say_);
+    if (const YamlNode* effects = fields_.find("effects")) read_effects(*effects, periodic_, stage_.effects, say_);
     if (const YamlNode* solver = fields_.find("solver")) stage_.solver = read_solver(*solver, say_);
     check_sense();
+    check_suits_fabric();
     return stage_;
   }
 
  private:
-  void read_pull(const YamlNode& node) {
-    if (node.kind == YamlNode::Kind::scalar) {
-      say_.error("S003", node.span, fmt::format("a strain of \"{}\" has no direction", node.text),
-                 std::string(example_pull));
-      return;
-    }
-    const Fields pull(node, "a pull", {"along", "to"}, say_);
-    if (!pull.is_map()) return;
-    Pull spec;
-    if (const YamlNode* along = pull.find("along")) {
-      const auto word = read_word(*along, "the direction of a pull", {"wale", "course"}, say_);
-      spec.along = word.value_or(0) == 0 ? Along::wale : Along::course;
-    } else {
-      say_.error("S003", node.span, "this strain has no direction", std::string(example_pull));
-    }
-    if (const YamlNode* to = pull.require("to", "add the strain to reach, as in `to: 60 %`")) {
-      spec.strain = read_quantity(*to, "the strain", dimensions::ratio, {1e-6, 20}, say_).value_or(spec.strain);
-    }
-    stage_.pull = spec;
-  }
-
   void check_sense() {
     if (stage_.effects.empty() && !fields_.find("effects")) {
       say_.error("S005", {node_.span.source, node_.span.begin, node_.span.begin},
                  "nothing acts on the yarns in this stage",
                  "add `effects: {stretch: , bend: , contact: }` to the scene: what is not named is not simulated");
     }
-    if (!stage_.pull) return;
-    for (const std::string_view key : {"tighten", "hold", "mount"}) {
+    if (stage_.pull) exclude({"tighten", "hold", "mount", "deform"}, "pull", "a pull grips the ends by itself");
+    if (stage_.deform) exclude({"hold", "mount"}, "deform", "`held` in `deform` keeps a period as it is");
+    if (stage_.deform && drives(*stage_.deform)) exclude({"tighten"}, "deform", "first tighten, then deform");
+  }
+
+  void exclude(const std::vector<std::string_view>& keys, std::string_view other, std::string_view why) {
+    for (const std::string_view key : keys) {
       const YamlNode* given = fields_.find(key);
       if (!given || given->text == "none") continue;
-      say_.error("S004", given->span, fmt::format("a stage cannot pull and \"{}\" at once", key),
-                 "make two stages of it; a pull grips the ends by itself");
+      say_.error("S004", given->span, fmt::format("a stage cannot {} and \"{}\" at once", other, key),
+                 fmt::format("make two stages of it; {}", why));
     }
+  }
+
+  static bool drives(const Deform& deform) {
+    const auto driven = [](const Deform::Part& part) { return part.how == Deform::How::driven; };
+    return driven(deform.wale) || driven(deform.course) || driven(deform.shear);
+  }
+
+  void check_suits_fabric() {
+    if (!periodic_) {
+      refuse("deform", "write `pull: {along: wale, to: 60 %}`, or `periodic: true` in `fabric`");
+      if (stage_.hold == Hold::periods) refuse("hold", "write `hold: ends`, or `periodic: true` in `fabric`");
+      return;
+    }
+    if (stage_.hold == Hold::ends)
+      refuse("hold", "leave it out, so that the repeat shrinks with its yarn, or write `hold: periods`");
+    refuse("mount", "leave it out: a stage without a pull lets both periods go where they carry no force");
+    refuse("grip_stiffness", "leave it out: periods are not gripped");
+  }
+
+  void refuse(std::string_view key, std::string_view hint) {
+    const YamlNode* given = fields_.find(key);
+    if (!given) return;
+    const std::string_view for_swatches = "is for swatches, and this fabric is periodic",
+                           for_periodic = "is for periodic fabrics, and this is a swatch";
+    const std::string what = key == "hold" ? fmt::format("\"hold: {}\"", given->text) : fmt::format("\"{}\"", key);
+    say_.error("S010", given->span, fmt::format("{} {}", what, periodic_ ? for_swatches : for_periodic),
+               std::string(hint));
   }
 
   const YamlNode& node_;
   Fields fields_;
   Stage stage_;
+  bool periodic_;
   Diagnostics& say_;
 };
 
 }  // namespace
 
-std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, Diagnostics& say) {
+std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, Diagnostics& say) {
   const YamlNode* node = root.find("stages");
   const Span start{root.span.source, root.span.begin, root.span.begin};
   if (!node || node->kind != YamlNode::Kind::list || node->items.empty()) {
@@ -111,7 +123,7 @@ std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, Diagno
     return {};
   }
   std::vector<Stage> stages;
-  for (const YamlNode& item : node->items) stages.push_back(StageReader(item, common, say).read());
+  for (const YamlNode& item : node->items) stages.push_back(StageReader(item, common, periodic, say).read());
   return stages;
 }
 
