@@ -119,6 +119,26 @@ TEST(CompileScene, GivesSomeYarnsOfAChartTheirOwnMaterials) {
   EXPECT_EQ(scene->fabric.materials.at(2).name, "paper-as-printed");
 }
 
+TEST(CompileScene, MakesOneRepeatOfAPeriodicFabric) {
+  Sources sources;
+  Diagnostics say;
+  const std::string text =
+      "scene: 1\nfabric: {pattern: patterns/jersey.yaml, wales: 2, courses: 3, periodic: true}\n"
+      "effects: {stretch: , bend: , contact: }\n"
+      "stages: [{name: pull, duration: 8 s, pull: {along: wale, to: 60 %}}]\n";
+  const auto scene = compile_scene(*sources.add(std::string(WALE_SOURCE_DIR) + "/scene.yaml", text), sources, say);
+  for (const Diagnostic& one : say.all()) ADD_FAILURE() << print(one);
+  ASSERT_TRUE(scene);
+  EXPECT_TRUE(scene->fabric.cell);
+  EXPECT_EQ(scene->fabric.yarns.size(), 3U);
+  EXPECT_EQ(scene->fabric.segment_count(), 2 * 3 * 12);
+  EXPECT_EQ(scene->crossings.size(), 12U);
+  EXPECT_EQ(scene->gauge.wales, 2);
+  EXPECT_EQ(scene->gauge.courses, 3);
+  for (const auto& ends : {scene->gauge.wale_ends, scene->gauge.course_ends})
+    for (const auto& end : ends) EXPECT_TRUE(end.empty());
+}
+
 TEST(CompileScene, SaysWhatIsWrongAndGivesNothing) {
   Sources sources;
   Diagnostics say;

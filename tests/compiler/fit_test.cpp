@@ -91,6 +91,18 @@ TEST(Interpolate, GivesACubicBackExactly) {
   }
 }
 
+TEST(Interpolate, WithoutEndGoesThroughItsPointsAgainAfterEveryPeriod) {
+  for (const int n : {1, 2, 7, 40}) {
+    const Points through = Points::Random(3, n);
+    const Vec3 period(3, 0.2, -1);
+    const Points q = interpolate_periodic(through, period);
+    ASSERT_EQ(q.cols(), n + 3);
+    for (int k = 0; k < n; ++k) EXPECT_NEAR((combine(q, k, basis(0).value) - through.col(k)).norm(), 0, 1e-13) << n;
+    EXPECT_NEAR((combine(q, n - 1, basis(1).value) - through.col(0) - period).norm(), 0, 1e-13) << n;
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(Vec3(q.col(n + k)), Vec3(q.col(k) + period)) << n;
+  }
+}
+
 TEST(Fit, CutsTheExactCurveIntoEqualArcLengths) {
   for (const Form form : {Form::flat, Form::tube}) {
     const Fitted made = fitted(mixture(form));

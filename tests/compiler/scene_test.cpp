@@ -106,7 +106,7 @@ TEST(Scene, ReadsStagesAndSolvers) {
   EXPECT_DOUBLE_EQ(relax.duration, 0.5);
   EXPECT_FALSE(relax.tighten || relax.pull);
   EXPECT_EQ(pull.pull->along, Along::course);
-  EXPECT_DOUBLE_EQ(pull.pull->strain, 0.6);
+  EXPECT_EQ(pull.pull->strains, std::vector{0.6});
   const auto& equilibria = std::get<QuasiStatic>(relax.solver);
   EXPECT_DOUBLE_EQ(equilibria.tolerance, 1e-4);
   EXPECT_EQ(equilibria.iterations, 50);
@@ -116,6 +116,36 @@ TEST(Scene, ReadsStagesAndSolvers) {
   EXPECT_DOUBLE_EQ(explicit_solver.relative, 1e-5);
   EXPECT_DOUBLE_EQ(explicit_solver.absolute, 1e-8);
   EXPECT_DOUBLE_EQ(explicit_solver.first_step, 1e-6);
+}
+
+TEST(Scene, ReadsStrainsOneAfterTheOther) {
+  Sources sources;
+  const auto scene = parse(sources,
+                           "scene: 1\nfabric: {pattern: a.yaml}\neffects: {stretch: }\n"
+                           "stages: [{name: cycle, duration: 4 s, pull: {along: wale, to: [60 %, 0 %, 60 %, 0 %]}}]\n");
+  ASSERT_TRUE(scene);
+  EXPECT_FALSE(scene->overrides.periodic);
+  EXPECT_EQ(scene->stages[0].pull->strains, (std::vector<double>{0.6, 0, 0.6, 0}));
+}
+
+TEST(Scene, ReadsWhatBecomesOfThePeriods) {
+  Sources sources;
+  const auto scene = parse(sources, R"(scene: 1
+fabric: {pattern: rib.yaml, wales: 2, courses: 2, periodic: true}
+effects: {stretch: }
+stages:
+  - {name: tighten, duration: 1 s, tighten: 100 %, deform: {shear: held}}
+  - {name: rest, duration: 1 s, hold: periods}
+  - {name: crush, duration: 1 s, pull: {along: course, to: -10 %}}
+  - {name: both, duration: 1 s, deform: {wale: [100 %, 0 %], course: [0 %, -20 %]}}
+)");
+  ASSERT_TRUE(scene);
+  EXPECT_TRUE(scene->overrides.periodic);
+  using How = Deform::How;
+  EXPECT_EQ(scene->stages[0].deform, (Deform{.shear = {How::held, {}}}));
+  EXPECT_EQ(scene->stages[1].hold, Hold::periods);
+  EXPECT_EQ(scene->stages[2].pull->strains, std::vector{-0.1});
+  EXPECT_EQ(scene->stages[3].deform, (Deform{.wale = {How::driven, {1, 0}}, .course = {How::driven, {0, -0.2}}}));
 }
 
 TEST(Scene, HasDefaultsForWhatItDoesNotSay) {
