@@ -6,15 +6,15 @@
 namespace wale {
 namespace {
 
-/// One yarn of the repeat `above`, `across` times as long.
+/// One yarn of the repeat `above`, `across` times as long, after those that are there.
 void add_yarn(const Fabric& periodic, const Points& q, const Yarn& yarn, int across, int above, Fabric& tiled) {
   const Vec3 course = q.rightCols<2>().col(0), wale = q.rightCols<2>().col(1);
-  const Yarn longer{static_cast<int>(tiled.points.cols()), tiled.segment_count(), across * yarn.segments};
-  tiled.points.conservativeResize(3, longer.first_point + longer.points());
+  const int first_point = tiled.yarns.empty() ? 0 : tiled.yarns.back().first_point + tiled.yarns.back().points();
+  const Yarn longer{first_point, tiled.segment_count(), across * yarn.segments};
   for (int k = 0; k < longer.points(); ++k) {
-    // The last three points are the first three of the next repeat, and so come from the last repeat of the row.
+    // The last three points are the first three of a repeat that is not there any more.
     const int to_right = std::min(k / yarn.segments, across - 1), own = k - to_right * yarn.segments;
-    tiled.points.col(longer.first_point + k) = q.col(yarn.first_point + own) + to_right * course + above * wale;
+    tiled.points.col(first_point + k) = q.col(yarn.first_point + own) + to_right * course + above * wale;
   }
   for (int k = 0; k < longer.segments; ++k) {
     Segment segment = periodic.segment(yarn.first_segment + k % yarn.segments);
@@ -37,7 +37,8 @@ Fabric tile(const Fabric& periodic, const Points& q, int across, int up) {
     throw std::invalid_argument("tile: not the points and periods of a periodic fabric");
   Fabric tiled;
   tiled.materials = periodic.materials;
-  tiled.points.resize(3, 0);
+  const auto yarns = static_cast<Eigen::Index>(periodic.yarns.size());
+  tiled.points.resize(3, up * (across * Eigen::Index{periodic.segment_count()} + 3 * yarns));
   for (int above = 0; above < up; ++above)
     for (const Yarn& yarn : periodic.yarns) add_yarn(periodic, q, yarn, across, above, tiled);
   return tiled;

@@ -124,16 +124,17 @@ class Layouter {
   void check_repeat(const Band& band) {
     for (const Panel& panel : band.panels)
       for (const Tile* tile : {&panel.stitches, &panel.yarns}) {
-        const int wales = band.panels.size() == 1 ? wales_ : tile->wales();
-        const int courses = bands_.size() == 1 ? *band.courses : tile->courses();
-        if (wales % tile->wales() == 0 && courses % tile->courses() == 0) continue;
-        say_.warning(
-            "C023", start_of(tile->span),
-            fmt::format("{} wales x {} courses do not repeat evenly in {} x {}: the periodic fabric has a seam",
-                        tile->wales(), tile->courses(), wales_, *band.courses),
-            fmt::format("ask for a multiple of {} wales and of {} courses", tile->wales(), tile->courses()));
-        return;
+        if (band.panels.size() == 1) check_even(*tile, tile->wales(), wales_, "wales");
+        if (bands_.size() == 1) check_even(*tile, tile->courses(), *band.courses, "courses");
       }
+  }
+
+  void check_even(const Tile& tile, int every, int count, std::string_view what) {
+    if (count % every == 0) return;
+    say_.warning("C023", start_of(tile.span),
+                 fmt::format("this comes again every {} {}, but the periodic fabric after {}: there is a seam", every,
+                             what, count),
+                 fmt::format("ask for a multiple of {} {}", every, what));
   }
 
   void check_size() {

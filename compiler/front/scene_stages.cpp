@@ -64,7 +64,8 @@ class StageReader {
                  "nothing acts on the yarns in this stage",
                  "add `effects: {stretch: , bend: , contact: }` to the scene: what is not named is not simulated");
     }
-    if (stage_.pull) exclude({"tighten", "hold", "mount", "deform"}, "pull", "a pull grips the ends by itself");
+    if (stage_.pull)
+      exclude({"tighten", "hold", "mount", "deform"}, "pull", "a pull grips the ends, or drives a period, by itself");
     if (stage_.deform) exclude({"hold", "mount"}, "deform", "`held` in `deform` keeps a period as it is");
     if (stage_.deform && drives(*stage_.deform)) exclude({"tighten"}, "deform", "first tighten, then deform");
   }

@@ -73,7 +73,7 @@ void check_together(const std::vector<DrivenPart>& driven, Diagnostics& say) {
   for (const DrivenPart& part : driven) {
     if (part.strains->size() == first.strains->size()) continue;
     say.error("S011", part.node->span,
-              fmt::format("\"{}\" has {} strains, but \"{}\" has {}", part.key, part.strains->size(), first.key,
+              fmt::format("the list of \"{}\" is {} long, that of \"{}\" {}", part.key, part.strains->size(), first.key,
                           first.strains->size()),
               "give as many to both: they are reached together; repeat a strain where one of the two rests");
     return;

@@ -11,6 +11,7 @@
 
 #include "compiler/compile.hpp"
 #include "sim/polyline.hpp"
+#include "sim/tile.hpp"
 #include "tests/support/structures.hpp"
 
 namespace wale {
@@ -79,6 +80,14 @@ TEST(Clearance, IsSevenTenthsOfADiameterEverywhere) {
 TEST(Clearance, OfFlatFabricsIsFourFifthsOfADiameter) {
   for (const auto& structures : {basic_structures(6, 5, Form::flat), random_mixtures(20, Form::flat)})
     for (const auto& [name, chart] : structures) EXPECT_GE(closest(compiled(chart, 12)), 0.8) << name;
+}
+
+TEST(Clearance, OfAPeriodicFabricIsFourFifthsOfADiameterAtItsSeamsToo) {
+  for (auto [name, chart] : basic_structures(4, 4, Form::flat)) {
+    chart.periodic = true;
+    const Fabric repeat = compiled(chart, 12);
+    EXPECT_GE(closest(tile(repeat, points_and_periods(repeat), 2, 2)), 0.8) << name;
+  }
 }
 
 /// Stripes of yarns of 0.3 and 0.6 mm, whatever the stitches.

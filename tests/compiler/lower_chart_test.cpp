@@ -46,6 +46,20 @@ TEST(LowerChart, KnitsEveryCellOnceFromTheSideThatTheChartNames) {
   }
 }
 
+TEST(LowerChart, KnitsEveryCourseOfAPeriodicChartFromTheLeftWithAPieceOfItsOwn) {
+  Chart chart = make_chart({"kpk", "kkk", "ppk"});
+  chart.periodic = true;
+  const Program program = lower(chart);
+  const auto stitches = only(Op::knit, program);
+  ASSERT_EQ(stitches.size(), 9u);
+  for (int i = 0; i < 9; ++i) {
+    EXPECT_EQ(stitches[static_cast<std::size_t>(i)].cell, (ChartCell{i / 3, i % 3}));
+    EXPECT_EQ(stitches[static_cast<std::size_t>(i)].direction, Direction::increasing);
+  }
+  EXPECT_EQ(only(Op::in, program).size(), 3u);
+  EXPECT_EQ(only(Op::out, program).size(), 3u);
+}
+
 void expect_transfers(const Chart& chart, std::size_t count) {
   const auto transfers = only(Op::split, lower(chart));
   EXPECT_EQ(transfers.size(), count);

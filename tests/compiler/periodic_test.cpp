@@ -151,6 +151,49 @@ TEST(Periodic, KnitsEveryCourseToItsLengthAndInItsYarn) {
   EXPECT_NEAR(knitted[1], 2 * 8e-3, 1e-5);
 }
 
+TEST(Periodic, IsContinuedToAllSides) {
+  Diagnostics say;
+  const auto larger = passes::continue_chart(repeat_of({"kpp", "kkp"}), say);
+  ASSERT_TRUE(larger);
+  const Chart& chart = larger->chart;
+  const int margin = larger->repeat.margin;
+  ASSERT_EQ(chart.wales(), 3 + 2 * margin);
+  ASSERT_EQ(chart.course_count(), 2 + 2 * margin);
+  for (int course = 0; course < chart.course_count(); ++course)
+    for (int wale = 0; wale < chart.wales(); ++wale) {
+      const Stitch stitch = chart.courses[static_cast<std::size_t>(course)][static_cast<std::size_t>(wale)].stitch;
+      const int own_course = (course + margin) % 2, own_wale = (wale + 2 * margin) % 3;
+      const bool knit = own_wale == 0 || (own_wale == 1 && own_course == 0);
+      EXPECT_EQ(stitch, knit ? Stitch::knit : Stitch::purl) << course << ' ' << wale;
+      EXPECT_EQ(larger->repeat.holds({course, wale}),
+                course >= margin && course < margin + 2 && wale >= margin && wale < margin + 3);
+    }
+}
+
+/// Every pattern that is there is a repeat as well, unless it says why not.
+TEST(Periodic, MayBeAnyFlatPatternWithoutIntarsia) {
+  int made = 0, refused = 0;
+  for (const std::string file : {"jersey", "garter", "rib_1x1", "seed", "rib_2x2", "moss", "basket", "stripes",
+                                 "panels", "picture", "worked_rows", "fig10a", "intarsia_diamond", "fig11a_tube"}) {
+    SCOPED_TRACE(file);
+    Sources sources;
+    Diagnostics say;
+    ChartOverrides overrides;
+    overrides.periodic = true;
+    const Source* source = sources.read(WALE_SOURCE_DIR "/patterns/" + file + ".yaml");
+    ASSERT_NE(source, nullptr);
+    const auto chart = compile_chart(*source, overrides, segments_per_stitch, say);
+    ++(chart ? made : refused);
+    EXPECT_EQ(chart.has_value(), !say.failed());
+    for (const Diagnostic& one : say.all()) {
+      EXPECT_TRUE(one.code == "C014" || one.code == "C023") << print(one);
+      EXPECT_FALSE(one.hint.empty());
+    }
+  }
+  EXPECT_EQ(made, 12);
+  EXPECT_EQ(refused, 2);
+}
+
 TEST(Periodic, MayBeTensOfStitches) {
   Chart chart = make_random_chart(30, 24, Form::flat, 5);
   chart.periodic = true;

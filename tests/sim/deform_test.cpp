@@ -72,7 +72,7 @@ TEST(Stage, RecordsTheStrainOfAPullToAndFro) {
   stage.pull = Pull{Along::course, {0.2, 0.1}};
   const Points& q = scene.fabric.points;
   State state{.t = 0, .q = q, .v = Points::Zero(3, q.cols()), .step = 0};
-  const StageSetup setup(scene, stage, state, 0, Sizes{.length = 1, .width = 1});
+  const StageSetup setup(scene, stage, state, 0, Sizes{.width = 1, .length = 1});
   const auto world = setup.world();
   const std::vector<std::pair<double, double>> rows{{0, 0}, {1, 0.1}, {2, 0.2}, {2.5, 0.15}, {3, 0.1}};
   for (const auto& [t, strain] : rows) {
