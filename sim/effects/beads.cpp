@@ -4,54 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/effects/grid.hpp"
+
 namespace wale {
 namespace {
 
 /// Of the diameter: wide enough that a list lasts for several solver steps, narrow enough that it stays short.
 constexpr double skin_share = 0.4;
-
-/// Points sorted into cubes, for finding all that lie within one cube's width of each other.
-class Grid {
- public:
-  Grid(const Points& at, double width) : low_(at.rowwise().minCoeff()), width_(width) {
-    const Vec3 span = at.rowwise().maxCoeff() - low_;
-    // A few far-flung points must not cost memory: widen the cubes until there are not many more of them than points.
-    const double most = 8.0 * static_cast<double>(at.cols()) + 64;
-    while ((span / width_ + Vec3::Ones()).prod() > most) width_ *= 1.26;
-    for (int k = 0; k < 3; ++k) cells_[k] = static_cast<int>(span[k] / width_) + 1;
-    start_.assign(static_cast<std::size_t>(cells_.prod()) + 1, 0);
-    order_.resize(static_cast<std::size_t>(at.cols()));
-    for (int i = 0; i < at.cols(); ++i) ++start_[flat(cell(at.col(i))) + 1];
-    for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
-    std::vector<int> next(start_.begin(), start_.end() - 1);
-    for (int i = 0; i < at.cols(); ++i) order_[static_cast<std::size_t>(next[flat(cell(at.col(i)))]++)] = i;
-  }
-
-  template <class Visit>
-  void near(const Vec3& where, const Visit& visit) const {
-    const Eigen::Vector3i centre = cell(where);
-    for (int z = std::max(centre.z() - 1, 0); z <= std::min(centre.z() + 1, cells_.z() - 1); ++z)
-      for (int y = std::max(centre.y() - 1, 0); y <= std::min(centre.y() + 1, cells_.y() - 1); ++y)
-        for (int x = std::max(centre.x() - 1, 0); x <= std::min(centre.x() + 1, cells_.x() - 1); ++x) {
-          const std::size_t c = flat({x, y, z});
-          for (int k = start_[c]; k < start_[c + 1]; ++k) visit(order_[static_cast<std::size_t>(k)]);
-        }
-  }
-
- private:
-  Eigen::Vector3i cell(const Vec3& at) const { return ((at - low_) / width_).cast<int>(); }
-  std::size_t flat(const Eigen::Vector3i& c) const {
-    return static_cast<std::size_t>(c.x()) +
-           static_cast<std::size_t>(cells_.x()) *
-               (static_cast<std::size_t>(c.y()) +
-                static_cast<std::size_t>(cells_.y()) * static_cast<std::size_t>(c.z()));
-  }
-
-  Vec3 low_;
-  double width_;
-  Eigen::Vector3i cells_;
-  std::vector<int> start_, order_;
-};
 
 }  // namespace
 
@@ -77,6 +36,8 @@ Beads::Beads(const Fabric& fabric, double alpha, double screening) : fabric_(fab
       segment_of_.push_back(i);
     }
     arc += segment.knitted;
+    length_of_yarn_.resize(fabric.yarns.size());
+    length_of_yarn_[index(segment.yarn)] += segment.knitted;
     if (index(n) >= bases_.size()) bases_.resize(index(n) + 1);
     if (bases_[index(n)].empty())
       for (int k = 0; k < n; ++k) bases_[index(n)].push_back(basis((2.0 * k + 1) / (2 * n)));
@@ -96,11 +57,13 @@ void Beads::locate(const Points& q) {
 void Beads::prepare(const Points& q) {
   locate(q);
   if (!at_.allFinite()) return;
-  if (listed_at_.cols() != at_.cols() || (at_ - listed_at_).colwise().squaredNorm().maxCoeff() > skin_ * skin_ / 4) {
+  if (!is_listed_still(q)) {
+    if (fabric_.cell) find_images(q);
     find_pairs();
     listed_at_ = at_;
     ++version_;
   }
+  if (fabric_.cell) displace_images(q);
   distance_.resize(pairs_.size());
   double closest = std::numeric_limits<double>::infinity();
 #pragma omp parallel for schedule(static) reduction(min : closest)
@@ -111,38 +74,86 @@ void Beads::prepare(const Points& q) {
   closest_ = closest;
 }
 
+bool Beads::is_listed_still(const Points& q) const {
+  if (listed_at_.cols() != at_.cols()) return false;
+  // A bead and the image of another come nearer by what both have moved, and by what the periods have.
+  double moved = 2 * std::sqrt((at_ - listed_at_).colwise().squaredNorm().maxCoeff());
+  if (fabric_.cell) {
+    const Points periods = q.rightCols<2>() - listed_periods_;
+    double furthest = 0;
+    for (const Eigen::Vector2i& image : images_) furthest = std::max(furthest, (periods * image.cast<double>()).norm());
+    moved += furthest;
+  }
+  return moved <= skin_;
+}
+
+/// Those that may come within reach; of an image and its opposite, one.
+void Beads::find_images(const Points& q) {
+  listed_periods_ = q.rightCols<2>();
+  const Vec3 course = listed_periods_.col(0), wale = listed_periods_.col(1);
+  const Vec3 span = at_.rowwise().maxCoeff() - at_.rowwise().minCoeff() + Vec3::Constant(reach_ + skin_);
+  images_.assign(1, Eigen::Vector2i::Zero());
+  for (int up = 0; up * std::abs(wale.y()) < span.y(); ++up) {
+    const double off = up * wale.x() / course.x(), most = span.x() / std::abs(course.x());
+    for (int across = static_cast<int>(std::ceil(-most - off)); across <= most - off; ++across)
+      if (up > 0 || across > 0) images_.emplace_back(across, up);
+  }
+  displace_images(q);
+}
+
+void Beads::displace_images(const Points& q) {
+  displacements_.clear();
+  for (const Eigen::Vector2i& image : images_) displacements_.emplace_back(q.rightCols<2>() * image.cast<double>());
+}
+
 void Beads::find_pairs() {
   const Grid grid(at_, reach_);
+  pairs_.clear();
+  for (int image = 0; image < static_cast<int>(images_.size()); ++image) {
+    find_pairs(image, grid);
+    if (image == 0) plain_pairs_ = pairs_.size();
+  }
+}
+
+void Beads::find_pairs(int image, const Grid& grid) {
   std::vector<std::vector<int>> partners(index(fabric_.segment_count()));
+  const Vec3 displacement = displacements_[index(image)];
 #pragma omp parallel for schedule(dynamic, 64)
   for (int a = 0; a < fabric_.segment_count(); ++a) {
     auto& mine = partners[index(a)];
     for (int k = 0; k < count(a); ++k)
-      grid.near(position(a, k), [&](int bead) {
+      grid.near(position(a, k) - displacement, [&](int bead) {
         const int b = segment_of_[index(bead)];
-        if (b > a && (mine.empty() || mine.back() != b) && is_within_reach(a, k, bead)) mine.push_back(b);
+        if ((b > a || image > 0) && (mine.empty() || mine.back() != b) && is_within_reach(image, a, k, bead))
+          mine.push_back(b);
       });
     std::sort(mine.begin(), mine.end());
     mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
   }
-  pairs_.clear();
   for (int a = 0; a < fabric_.segment_count(); ++a)
-    for (const int b : partners[index(a)]) pairs_.push_back({a, b});
+    for (const int b : partners[index(a)]) pairs_.push_back({a, b, image});
 }
 
-bool Beads::is_within_reach(int a, int bead_a, int other) const {
-  const int b = segment_of_[index(other)];
-  const double reach = diameter(a, b) + skin_;
-  return (position(a, bead_a) - at_.col(other)).squaredNorm() < reach * reach &&
-         !screened(a, bead_a, b, other - first_bead_[index(b)]);
+void Beads::list_gaps(std::vector<Gap>& out) const {
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    const auto [a, b, image] = pairs_[p];
+    out.push_back({a, b, images_[index(image)], distance_[p], diameter(a, b)});
+  }
+}
+
+bool Beads::is_within_reach(int image, int a, int bead_a, int other) const {
+  const SegmentPair pair{a, segment_of_[index(other)], image};
+  const double reach = diameter(a, pair.b) + skin_;
+  return (position(a, bead_a) - at_.col(other) - displacement(pair)).squaredNorm() < reach * reach &&
+         !screened(pair, bead_a, other - first_bead_[index(pair.b)]);
 }
 
 double Beads::distance_between(const SegmentPair& pair) const {
   double closest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < count(pair.a); ++i)
     for (int j = 0; j < count(pair.b); ++j) {
-      const double squared = (position(pair.a, i) - position(pair.b, j)).squaredNorm();
-      if (squared < closest && !screened(pair.a, i, pair.b, j)) closest = squared;
+      const double squared = (position(pair.a, i) - position(pair.b, j) - displacement(pair)).squaredNorm();
+      if (squared < closest && !screened(pair, i, j)) closest = squared;
     }
   return std::sqrt(closest);
 }

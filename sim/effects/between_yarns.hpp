@@ -47,8 +47,12 @@ class BetweenYarns final : public Effect {
       : law_(std::move(law)), parts_(parts), beads_(std::move(beads)) {}
 
   std::string_view name() const override { return law_.name(); }
+  bool dissipative() const override { return !L::elastic; }
   void prepare(const State& at) override { beads_->prepare(at.q); }
-  double closest() const override { return beads_->closest(); }
+  double closest() const override { return L::elastic ? beads_->closest() : Effect::closest(); }
+  void list_gaps(std::vector<Gap>& out) const override {
+    if constexpr (L::elastic) beads_->list_gaps(out);
+  }
 
   void add(const State& at, Load& out) const override {
     const std::array<Stiffness*, 2> second{L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
@@ -72,11 +76,15 @@ class BetweenYarns final : public Effect {
         }
       }
       gather(some, slopes, out);
-      if (!blocks.empty()) gather(some, blocks, places, second);
+      if (blocks.empty()) continue;
+      gather(some, blocks, places, second);
+      for (std::size_t m = 0; m < 2; ++m)
+        if (second[m] && beads_->images().size() > 1) gather_periods(some, blocks, m, *second[m]);
     }
   }
 
  private:
+  static constexpr std::size_t period_blocks = 8 * 2 + 3;
   static constexpr std::size_t few = 64;           // pairs for which threads cost more than they save
   static constexpr std::size_t most_blocks = 512;  // pairs whose blocks fit a core's cache
   using Quad = Eigen::Matrix<double, 3, 4>;
@@ -95,11 +103,13 @@ class BetweenYarns final : public Effect {
 
   const SegmentPair& pair_of(const Contact& contact) const { return beads_->pairs()[contact.pair]; }
 
+  static Vec3 velocity_of(const Eigen::Vector2d& image, const State& at) { return at.v.rightCols<2>() * image; }
+
   /// Most listed pairs do not touch.
   std::vector<Contact> touching(const State& at) const {
     std::vector<Contact> result;
     for (std::size_t p = 0; p < beads_->pairs().size(); ++p) {
-      const auto [a, b] = beads_->pairs()[p];
+      const auto [a, b, image] = beads_->pairs()[p];
       const double la = parts_.rest_length(a, at.t) / beads_->count(a);
       const double lb = parts_.rest_length(b, at.t) / beads_->count(b);
       const double diameter = law_.diameter(beads_->diameter(a, b), la, lb);
@@ -111,7 +121,9 @@ class BetweenYarns final : public Effect {
   /// `on_b` is working space.
   void push_all(const State& at, const Contact& contact, Slopes& slopes, Blocks* blocks,
                 std::vector<Twin>& on_b) const {
-    const auto [a, b] = pair_of(contact);
+    const auto [a, b, image] = pair_of(contact);
+    const Vec3 displacement = beads_->displacement(pair_of(contact));
+    const Vec3 moving_on = image > 0 ? velocity_of(image_of(contact), at) : Vec3(Vec3::Zero());
     const int first_a = parts_.fabric.first_point(a), first_b = parts_.fabric.first_point(b);
     Touch touch{.weight = contact.weight,
                 .diameter = contact.diameter,
@@ -126,11 +138,11 @@ class BetweenYarns final : public Effect {
       mixed.fill(Twin::Zero());
       bool touched = false;
       for (int j = 0; j < beads_->count(b); ++j) {
-        touch.apart = beads_->position(a, i) - beads_->position(b, j);
+        touch.apart = beads_->position(a, i) - beads_->position(b, j) - displacement;
         if (touch.apart.squaredNorm() >= touch.diameter * touch.diameter) continue;
-        if (beads_->screened(a, i, b, j)) continue;
+        if (beads_->screened(pair_of(contact), i, j)) continue;
         const Basis& bb = beads_->basis_of(b, j);
-        touch.velocity = combine(at.v, first_a, ba.value) - combine(at.v, first_b, bb.value);
+        touch.velocity = combine(at.v, first_a, ba.value) - combine(at.v, first_b, bb.value) - moving_on;
         Push push;
         law_(touch, push, blocks != nullptr);
         add_slopes(push, ba, bb, slopes);
@@ -187,12 +199,15 @@ class BetweenYarns final : public Effect {
       if (!out.force) continue;
       out.force->middleCols<4>(parts_.fabric.first_point(pair_of(contacts[c]).a)) += slopes[c].on_a;
       out.force->middleCols<4>(parts_.fabric.first_point(pair_of(contacts[c]).b)) += slopes[c].on_b;
+      // An image moves with the periods: together they bear what its control points do.
+      if (pair_of(contacts[c]).image > 0)
+        out.force->rightCols<2>() += slopes[c].on_b.rowwise().sum() * image_of(contacts[c]).transpose();
     }
   }
 
   void gather(std::span<const Contact> contacts, const std::vector<Blocks>& blocks,
               const std::array<const std::vector<int>*, 2>& places, const std::array<Stiffness*, 2>& out) const {
-    share_points(static_cast<int>(parts_.fabric.points.cols()), contacts.size() < few, [&](int first, int last) {
+    share_points(out[0] ? out[0]->points() : out[1]->points(), contacts.size() < few, [&](int first, int last) {
       for (std::size_t c = 0; c < contacts.size(); ++c) {
         const SegmentPair& pair = pair_of(contacts[c]);
         std::size_t block = 0;
@@ -210,6 +225,33 @@ class BetweenYarns final : public Effect {
     });
   }
 
+  /// What images add to the blocks of the two periods: where an image is displaced by a period, that moves as the four
+  /// control points of b do together.
+  void gather_periods(std::span<const Contact> contacts, const std::vector<Blocks>& blocks, std::size_t which,
+                      Stiffness& out) const {
+    const std::vector<int>& places = period_places_in(out);
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      if (pair_of(contacts[c]).image == 0) continue;
+      const Eigen::Vector2d image = image_of(contacts[c]);
+      auto place =
+          places.begin() + static_cast<std::ptrdiff_t>((contacts[c].pair - beads_->plain_pairs()) * period_blocks);
+      Twin both = Twin::Zero();
+      for (std::size_t j = 0; j < 8; ++j) {
+        Twin by_b = Twin::Zero();
+        for (std::size_t k = 4; k < 8; ++k) by_b += blocks[c][block_at(std::min(j, k), std::max(j, k))];
+        if (j >= 4) both += by_b;
+        for (int period = 0; period < 2; ++period) out.add_at(*place++, image[period] * one_of(by_b, which));
+      }
+      const Mat3 by_periods = one_of(both, which);
+      out.add_at(*place++, image[0] * image[0] * by_periods);
+      out.add_at(*place++, image[0] * image[1] * by_periods);
+      out.add_at(*place++, image[1] * image[1] * by_periods);
+    }
+  }
+
+  /// Where block (j, k), j <= k, of the eight control points of a pair is.
+  static constexpr std::size_t block_at(std::size_t j, std::size_t k) { return j * 8 - j * (j + 1) / 2 + k; }
+
   static Mat3 one_of(const Twin& twin, std::size_t which) {
     const double* s = twin.data() + 6 * which;
     Mat3 whole;
@@ -217,11 +259,15 @@ class BetweenYarns final : public Effect {
     return whole;
   }
 
+  Eigen::Vector2d image_of(const Contact& contact) const {
+    return beads_->images()[static_cast<std::size_t>(pair_of(contact).image)].template cast<double>();
+  }
+
   int point(const SegmentPair& pair, int k) const { return parts_.fabric.first_point(k < 4 ? pair.a : pair.b) + k % 4; }
 
   void list(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
     const int a = point(pair, 0), b = point(pair, 4);
-    if (a + 4 > b && b + 4 > a) return list_overlapping(pair, matrix, slots);
+    if (b < a + 4) return list_overlapping(pair, matrix, slots);
     for (int j = 0; j < 4; ++j) {
       matrix.slots(a + j, a + j, 4 - j, slots);
       matrix.slots(a + j, b, 4, slots);
@@ -241,6 +287,18 @@ class BetweenYarns final : public Effect {
   const std::vector<int>& places_in(Stiffness& matrix) const {
     return matrix.places(this, beads_->version(), [&](std::vector<int>& slots) {
       for (const SegmentPair& pair : beads_->pairs()) list(pair, matrix, slots);
+    });
+  }
+
+  /// Of each pair with an image: the blocks of its eight control points with either period, then those of the periods.
+  const std::vector<int>& period_places_in(Stiffness& matrix) const {
+    return matrix.places(beads_.get(), beads_->version(), [&](std::vector<int>& slots) {
+      const int course = static_cast<int>(parts_.fabric.points.cols()), wale = course + 1;
+      for (std::size_t p = beads_->plain_pairs(); p < beads_->pairs().size(); ++p) {
+        for (int j = 0; j < 8; ++j) matrix.slots(point(beads_->pairs()[p], j), course, 2, slots);
+        matrix.slots(course, course, 2, slots);
+        matrix.slots(wale, wale, 1, slots);
+      }
     });
   }
 
