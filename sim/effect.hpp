@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "sim/fabric.hpp"
 #include "sim/stiffness.hpp"
@@ -25,6 +26,14 @@ struct Load {
   Stiffness* convex = nullptr;     ///< the stiffness less all that could make it indefinite (Gauss-Newton), N/m
 };
 
+/// Two segments that are near each other.
+struct Gap {
+  int a = 0, b = 0;                                 ///< segments
+  Eigen::Vector2i image = Eigen::Vector2i::Zero();  ///< b is displaced by so many course and wale periods
+  double distance = 0;                              ///< the smallest between their beads, m
+  double diameter = 0;                              ///< below which they touch, m
+};
+
 /// Something that acts on the yarns: a stiffness, a contact, a grip, the air.
 ///
 /// An effect is a function of the instant: same state, same answer, bit for bit, whatever was asked before and by
@@ -34,10 +43,13 @@ class Effect {
  public:
   virtual ~Effect() = default;
   virtual std::string_view name() const = 0;               ///< "stretch", "grip.top": in results and messages
+  virtual bool dissipative() const { return false; }       ///< depends on velocity, and has no energy
   virtual void prepare(const State&) {}                    ///< bring caches up to date; cheap when little moved
   virtual void add(const State& at, Load& out) const = 0;  ///< the physics
   /// The smallest distance between yarns over their contact diameter, as `prepare` saw it; infinite if not looked at.
   virtual double closest() const;
+  /// Appends the pairs of segments that are near each other, as `prepare` saw them.
+  virtual void list_gaps(std::vector<Gap>&) const {}
 };
 
 }  // namespace wale

@@ -26,8 +26,13 @@ struct Parts {
   /// The contact beads for this sampling and screening, made when first asked for and shared by contact and its
   /// damping.
   std::shared_ptr<Beads> beads(double sampling, double screening);
+  /// Those for effects that depend on velocity: the same, unless `lagged`.
+  std::shared_ptr<Beads> dissipative_beads(double sampling, double screening);
 
-  std::map<std::pair<double, double>, std::shared_ptr<Beads>> made_beads{};
+  /// Whether effects that depend on velocity are asked about the positions where a step began, while the others are
+  /// asked about those where it ends.
+  bool lagged = false;
+  std::map<std::pair<double, double>, std::shared_ptr<Beads>> made_beads{}, made_lagged_beads{};
 };
 
 /// One factory an effect, beside its physics in sim/effects/.
@@ -37,6 +42,7 @@ std::unique_ptr<Effect> make(const Gravity&, Parts&);
 std::unique_ptr<Effect> make(const Drag&, Parts&);
 std::unique_ptr<Effect> make(const Contact&, Parts&);
 std::unique_ptr<Effect> make(const ContactDamping&, Parts&);
+std::unique_ptr<Effect> make(const Friction&, Parts&);
 std::unique_ptr<Effect> make(const Tether&, Parts&);
 std::unique_ptr<Effect> make(const Plates&, Parts&);
 std::unique_ptr<Effect> make(const Knots&, Parts&);

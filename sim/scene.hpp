@@ -40,6 +40,13 @@ struct ContactDamping {
   double normal = 0;      ///< k_dn, N s/m³
   double sampling = 0.03, screening = 1.6;
 };
+/// Coulomb friction of yarn on yarn: up to µ times the normal force of the contact law, against the motion that is left
+/// when that along the normal is taken out. It is smoothed: below the threshold two yarns that stick creep.
+struct Friction {
+  double coefficient = 0.3;  ///< µ
+  double threshold = 1e-5;   ///< m/s, the sliding speed from which friction is µ N
+  double sampling = 0.03, screening = 1.6;
+};
 /// V = k_t l0 ∫ |W (y - F(y_ref, t))|² ds over some segments (Eq. A.6); y_ref is where the stage begins.
 /// F scales about `centre` and moves: F(y, t) = centre + S (y - centre) + u, S = 1 + p(t) (scale - 1), u = p(t) move.
 struct Tether {
@@ -72,7 +79,7 @@ struct Knots {
   double stiffness = 100;  ///< k, N/m
 };
 
-using EffectSpec = std::variant<Stretch, Bend, Gravity, Drag, Contact, ContactDamping, Tether, Plates, Knots>;
+using EffectSpec = std::variant<Stretch, Bend, Gravity, Drag, Contact, ContactDamping, Friction, Tether, Plates, Knots>;
 
 /// Explicit Runge-Kutta 4(3), adaptive (Ding et al. 2023, A.1; Hairer, Nørsett & Wanner I, II.4).
 struct RungeKutta {

@@ -3,14 +3,24 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/tile.hpp"
+
 namespace wale {
+namespace {
+
+bool is_meant(const Effect& effect, Acting which) {
+  return which == Acting::all || effect.dissipative() == (which == Acting::dissipative);
+}
+
+}  // namespace
 
 World::World(const Fabric& fabric, std::vector<EffectSpec> effects, Schedule tightening, State start,
-             const std::vector<Clamp>& clamps)
+             const std::vector<Clamp>& clamps, bool lagged)
     : fabric_(fabric),
       tightening_(std::move(tightening)),
       start_(std::move(start)),
-      parts_{fabric_, tightening_, start_},
+      parts_{.fabric = fabric_, .tightening = tightening_, .start = start_, .lagged = lagged},
+      ties_(fabric),
       mass_(fabric),
       constraints_(fabric, clamps, start_.q) {
   for (const EffectSpec& spec : effects)
@@ -19,18 +29,24 @@ World::World(const Fabric& fabric, std::vector<EffectSpec> effects, Schedule tig
 
 void World::add(std::unique_ptr<Effect> effect) { effects_.push_back(std::move(effect)); }
 
-void World::prepare(const State& state) {
-  for (auto& effect : effects_) effect->prepare(state);
+void World::prepare(const State& state, Acting which) {
+  for (auto& effect : effects_)
+    if (is_meant(*effect, which)) effect->prepare(state);
 }
 
-void World::evaluate(const State& state, Load& out) const {
+bool World::dissipates() const {
+  return std::any_of(effects_.begin(), effects_.end(), [](const auto& effect) { return effect->dissipative(); });
+}
+
+void World::evaluate(const State& state, Load& out, Acting which) const {
   if (out.energy) *out.energy = 0;
   if (out.dissipation) *out.dissipation = 0;
   if (out.force) out.force->setZero(3, state.q.cols());
   if (out.stiffness) out.stiffness->clear();
   if (out.damping) out.damping->clear();
   if (out.convex) out.convex->clear();
-  for (const auto& effect : effects_) effect->add(state, out);
+  for (const auto& effect : effects_)
+    if (is_meant(*effect, which)) effect->add(state, out);
 }
 
 void World::accelerate(const State& state, Points& acceleration) {
@@ -58,8 +74,15 @@ double World::closest() const {
   return closest;
 }
 
+std::vector<Gap> World::gaps() const {
+  std::vector<Gap> gaps;
+  for (const auto& effect : effects_) effect->list_gaps(gaps);
+  return gaps;
+}
+
 State at_rest(const Fabric& fabric) {
-  return {.t = 0, .q = fabric.points, .v = Points::Zero(3, fabric.points.cols()), .step = 0};
+  const Points q = fabric.cell ? points_and_periods(fabric) : fabric.points;
+  return {.t = 0, .q = q, .v = Points::Zero(3, q.cols()), .step = 0};
 }
 
 }  // namespace wale

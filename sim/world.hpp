@@ -8,24 +8,32 @@
 #include "sim/constraints.hpp"
 #include "sim/mass.hpp"
 #include "sim/parts.hpp"
+#include "sim/periods.hpp"
+#include "sim/ties.hpp"
 
 namespace wale {
+
+/// Which effects are meant: those that depend on position, those that depend on velocity, or all.
+enum class Acting : std::uint8_t { all, elastic, dissipative };
 
 /// Not copyable: effects refer to its parts. `fabric` must outlive it.
 class World {
  public:
-  /// `tightening`: see Parts. `start` is where the stage begins: tethers hold what lies there.
+  /// `tightening`, `lagged`: see Parts. `start` is where the stage begins: tethers hold what lies there.
   World(const Fabric& fabric, std::vector<EffectSpec> effects, Schedule tightening, State start,
-        const std::vector<Clamp>& clamps = {});
+        const std::vector<Clamp>& clamps = {}, bool lagged = false);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
   void add(std::unique_ptr<Effect>);
+  /// How the periods of a periodic fabric are led; free if never said.
+  void guide(PeriodGuide guide) { guide_ = std::move(guide); }
 
-  /// Brings the caches of every effect up to date; call before evaluate().
-  void prepare(const State&);
-  /// Clears what `out` asks for, then adds every effect.
-  void evaluate(const State&, Load& out) const;
+  /// Brings the caches of effects up to date; call before evaluate().
+  void prepare(const State&, Acting = Acting::all);
+  /// Clears what `out` asks for, then adds every effect that is meant.
+  void evaluate(const State&, Load& out, Acting = Acting::all) const;
+  bool dissipates() const;
   /// q'' = M⁻¹ (force), under the constraints, m/s².
   void accelerate(const State&, Points& acceleration);
 
@@ -34,25 +42,32 @@ class World {
   bool interrupted() const { return interrupt_ && interrupt_->load(); }
 
   const Fabric& fabric() const { return fabric_; }
+  const Ties& ties() const { return ties_; }
+  const PeriodGuide& guide() const { return guide_; }
   const Mass& mass() const { return mass_; }
   const Constraints& constraints() const { return constraints_; }
   const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
   const Parts& parts() const { return parts_; }
   /// The smallest gap between yarns over their diameter, at the last prepare().
   double closest() const;
+  /// The pairs of segments that are near each other, at the last prepare().
+  std::vector<Gap> gaps() const;
 
  private:
   const Fabric& fabric_;
   Schedule tightening_;
   State start_;
   Parts parts_;
+  Ties ties_;
+  PeriodGuide guide_;
   Mass mass_;
   Constraints constraints_;
   std::vector<std::unique_ptr<Effect>> effects_;
   const std::atomic<bool>* interrupt_ = nullptr;
 };
 
-/// The start of a run: control points as the compiler laid them, at rest.
+/// The start of a run: control points as the compiler laid them, at rest; of a periodic fabric also its periods, as two
+/// more columns.
 State at_rest(const Fabric&);
 
 }  // namespace wale

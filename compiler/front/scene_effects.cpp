@@ -103,6 +103,16 @@ ContactDamping read_contact_damping(const YamlNode& node, Diagnostics& say) {
   return spec;
 }
 
+Friction read_friction(const YamlNode& node, Diagnostics& say) {
+  Friction spec;
+  const Settings settings(node, "friction", {"coefficient", "threshold", "sampling", "screening"}, say);
+  settings.quantity("coefficient", dimensions::ratio, {0, 10}, spec.coefficient);
+  settings.quantity("threshold", dimensions::speed, {1e-12, 100}, spec.threshold);
+  settings.quantity("sampling", dimensions::ratio, samplings, spec.sampling);
+  settings.quantity("screening", dimensions::ratio, screenings, spec.screening);
+  return spec;
+}
+
 Plates read_plates(const YamlNode& node, Diagnostics& say) {
   Plates spec;
   const Settings settings(node, "plates", {"gap", "stiffness"}, say);
@@ -148,10 +158,11 @@ EffectSpec as_effect(const YamlNode& node, Diagnostics& say) {
 }
 
 constexpr EffectReader effect_readers[] = {
-    {"stretch", as_effect<read_stretch>}, {"bend", as_effect<read_bend>},
-    {"gravity", as_effect<read_gravity>}, {"drag", as_effect<read_drag>},
-    {"contact", as_effect<read_contact>}, {"contact_damping", as_effect<read_contact_damping>},
-    {"plates", as_effect<read_plates>},   {"knots", as_effect<read_knots>},
+    {"stretch", as_effect<read_stretch>},   {"bend", as_effect<read_bend>},
+    {"gravity", as_effect<read_gravity>},   {"drag", as_effect<read_drag>},
+    {"contact", as_effect<read_contact>},   {"contact_damping", as_effect<read_contact_damping>},
+    {"friction", as_effect<read_friction>}, {"plates", as_effect<read_plates>},
+    {"knots", as_effect<read_knots>},
 };
 
 /// What has no meaning in a fabric without ends, and why.

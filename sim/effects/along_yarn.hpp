@@ -61,6 +61,7 @@ class AlongYarn final : public Effect {
   }
 
   std::string_view name() const override { return law_.name(); }
+  bool dissipative() const override { return !L::elastic; }
 
   void add(const State& at, Load& out) const override {
     const std::array<Stiffness*, 2> second{L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};

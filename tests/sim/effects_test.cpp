@@ -49,6 +49,8 @@ std::vector<Case> cases() {
       // Sliding beads rub where their centres are, not where they touch: a couple is left over.
       {"ContactDamping", ContactDamping{.tangential = 5, .normal = 40}, barrier, false, true, false, true},
       {"NormalContactDamping", ContactDamping{.normal = 40}, barrier, false, true, true, true},
+      {"StickingFriction", Friction{.coefficient = 0.4, .threshold = 1}, barrier, false, true, false, true},
+      {"SlidingFriction", Friction{.coefficient = 0.4, .threshold = 1e-3}, core_shell, false, true, false, true},
       {"Tether", moving, barrier, true, false, false, true},
       {"Knots", knots},
       {"Plates", Plates{.gap = 0.2e-3}, barrier, true, false, false, true},
