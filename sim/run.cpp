@@ -9,6 +9,7 @@
 #include "sim/results/curves.hpp"
 #include "sim/results/topology.hpp"
 #include "sim/stage.hpp"
+#include "sim/tile.hpp"
 
 namespace wale {
 namespace {
@@ -25,8 +26,11 @@ RungeKutta timed(const RungeKutta& spec, double) { return spec; }
 class Run {
  public:
   Run(Results& results, const RunOptions& options)
-      : results_(results), options_(options), clasps_(results.scene.fabric, results.scene.crossings) {
-    for (const Snapshot& snapshot : results.snapshots) clasps_.follow(snapshot.state.q);
+      : results_(results),
+        options_(options),
+        plain_(plain(results.scene.fabric, at_rest(results.scene.fabric).q)),
+        clasps_(plain_, results.scene.crossings) {
+    for (const Snapshot& snapshot : results.snapshots) follow(snapshot.state.q);
   }
 
   Outcome all() {
@@ -42,7 +46,16 @@ class Run {
   }
 
  private:
-  static bool grips(const Stage& stage) { return stage.mount || stage.pull; }
+  /// As Scene::crossings count segments.
+  static Fabric plain(const Fabric& fabric, const Points& q) {
+    return fabric.cell ? tile(fabric, q, repeats_for_crossings, repeats_for_crossings) : fabric;
+  }
+  std::vector<bool> follow(const Points& q) {
+    const Fabric& fabric = results_.scene.fabric;
+    return clasps_.follow(fabric.cell ? plain(fabric, q).points : q);
+  }
+
+  static bool grips(const Stage& stage) { return stage.mount || stage.pull || stage.deform; }
 
   const Stage& stage_at(int index) const { return results_.scene.stages[static_cast<std::size_t>(index)]; }
 
@@ -130,7 +143,7 @@ class Run {
     while (true) {
       const Progress progress = solver->advance(t);
       state = solver->state();
-      if (progress == Progress::stepped) clasps_.follow(state.q);
+      if (progress == Progress::stepped) follow(state.q);
       tell(index, state.t);
       if (progress == Progress::failed) outcome = Outcome::failed;
       if (progress != Progress::stepped) break;
@@ -149,7 +162,7 @@ class Run {
     const auto measured = setup.measure(*world, state);
     row.insert(row.end(), measured.begin(), measured.end());
     append_row(results_.samples, row);
-    results_.topology = worse(results_.topology, tally(clasps_.follow(state.q)));
+    results_.topology = worse(results_.topology, tally(follow(state.q)));
     if (!world->parts().made_beads.empty())
       results_.contact_samples = world->parts().made_beads.begin()->second->total();
   }
@@ -177,6 +190,7 @@ class Run {
 
   Results& results_;
   const RunOptions& options_;
+  Fabric plain_;
   Clasps clasps_;
 };
 

@@ -38,9 +38,33 @@ StageSetup::StageSetup(const Scene& scene, const Stage& stage, const State& star
       relaxed_(relaxed),
       tightening_(stage.tighten ? Schedule::ramp(tightened, *stage.tighten, stage.duration) : Schedule(tightened)),
       effects_(stage.effects) {
+  if (scene.fabric.cell) {
+    guide_periods();
+    return;
+  }
   if (stage.hold == Hold::ends) hold_ends();
   if (stage.mount) mount_ends(travels);
   if (stage.pull) pull_ends();
+}
+
+void StageSetup::guide_periods() {
+  const Deform deform = deform_of(stage_);
+  const auto part = [&](const Deform::Part& of, double length, double from) {
+    PeriodGuide::Part led;
+    led.how = static_cast<PeriodGuide::How>(of.how);
+    if (of.how != Deform::How::driven) return led;
+    std::vector<Schedule::Knot> knots;
+    const Schedule strain = strain_of(deform, of, stage_.duration);
+    for (const Schedule::Knot& knot : strain.knots())
+      knots.push_back({knot.t, from + knot.value * length});
+    led.length = Schedule(std::move(knots));
+    return led;
+  };
+  const auto periods = start_.q.rightCols<2>();
+  guide_.course = part(deform.course, periods(0, 0), periods(0, 0));
+  guide_.wale = part(deform.wale, periods(1, 1), periods(1, 1));
+  guide_.lean = part(deform.shear, periods(1, 1), periods(0, 1));
+  gauge_length_ = stage_.pull && stage_.pull->along == Along::course ? periods(0, 0) : periods(1, 1);
 }
 
 void StageSetup::hold_ends() {
@@ -99,39 +123,78 @@ void StageSetup::pull_ends() {
 }
 
 std::unique_ptr<World> StageSetup::world() const {
-  return std::make_unique<World>(scene_.fabric, effects_, tightening_, start_, scene_.clamps);
+  auto world = std::make_unique<World>(scene_.fabric, effects_, tightening_, start_, scene_.clamps,
+                                       std::holds_alternative<QuasiStatic>(stage_.solver));
+  world->guide(guide_);
+  return world;
 }
 
 std::vector<Quantity> StageSetup::measure(World& world, const State& state) const {
   std::vector<Quantity> row{{"t", "s", state.t}};
   world.prepare(state);
   double grip_load[2] = {0, 0};
-  const std::optional<Along> gripped = stage_.pull ? std::optional(stage_.pull->along) : stage_.mount;
-  const Vec3 along = unit(gripped.value_or(Along::wale));
+  Points total = Points::Zero(3, state.q.cols());
+  const Vec3 along = unit(gripped().value_or(Along::wale));
   for (const auto& effect : world.effects()) {
     double energy = 0;
     Points force = Points::Zero(3, state.q.cols());
     Load load{.energy = &energy, .force = &force};
     effect->add(state, load);
-    row.push_back({"energy." + std::string(effect->name()), "J", energy});
+    total += force;
+    if (!effect->dissipative()) row.push_back({"energy." + std::string(effect->name()), "J", energy});
     for (int end = 0; end < 2; ++end)
       if (effect->name() == grip_labels[end]) grip_load[end] = force.rowwise().sum().dot(along);
   }
   row.push_back({"energy.kinetic", "J", world.mass().kinetic_energy(state.v)});
   row.push_back({"closest", "1", world.closest()});
-  if (!gripped) return row;
+  if (scene_.fabric.cell)
+    measure_periods(world.ties().gather(total), state, row);
+  else if (gripped())
+    measure_grips(grip_load, state.t, row);
+  return row;
+}
+
+std::optional<Along> StageSetup::gripped() const {
+  return stage_.pull ? std::optional(stage_.pull->along) : stage_.mount;
+}
+
+/// What the endless fabric bears across its periods, from the force conjugate to each: a stress is that force over the
+/// other period, as it was in the relaxed fabric, and the thickness.
+void StageSetup::measure_periods(const Points& force, const State& state, std::vector<Quantity>& row) const {
+  const auto on_periods = force.rightCols<2>();
+  const auto periods = state.q.rightCols<2>();
+  const double across = relaxed_.width * scene_.gauge.thickness, up = relaxed_.length * scene_.gauge.thickness;
+  row.push_back({"period.course", "m", periods(0, 0)});
+  row.push_back({"period.wale", "m", periods(1, 1)});
+  row.push_back({"period.lean", "m", periods(0, 1)});
+  const bool is_known = across > 0 && up > 0;
+  if (is_known) {
+    row.push_back({"stress.course", "Pa", -on_periods(0, 0) / up});
+    row.push_back({"stress.wale", "Pa", -on_periods(1, 1) / across});
+    row.push_back({"stress.shear", "Pa", -on_periods(0, 1) / across});
+  }
+  if (!stage_.pull) return;
+  const bool wale_wise = stage_.pull->along == Along::wale;
+  const double pulled = wale_wise ? periods(1, 1) : periods(0, 0),
+               load = wale_wise ? -on_periods(1, 1) : -on_periods(0, 0);
+  row.push_back({"strain", "1", pulled / gauge_length_ - 1});
+  row.push_back({"force", "N", load});
+  row.push_back({"force_per_wale", "N", load / (wale_wise ? scene_.gauge.wales : scene_.gauge.courses)});
+  row.push_back({"stress", "Pa", load / (wale_wise ? across : up)});
+}
+
+void StageSetup::measure_grips(const double (&grip_load)[2], double t, std::vector<Quantity>& row) const {
   // The machine reads what the fabric pulls on the moving grip; the other grip must read the same at rest.
   const double force = (grip_load[1] - grip_load[0]) / 2;
-  const bool wale_wise = *gripped == Along::wale;
+  const bool wale_wise = gripped() == Along::wale;
   const double width = wale_wise ? relaxed_.width : relaxed_.length;
   const int columns = wale_wise ? scene_.gauge.wales : scene_.gauge.courses;
-  if (stage_.mount) row.push_back({"travel", "m", travel_(state.t)});
-  if (stage_.pull) row.push_back({"strain", "1", travel_(state.t) / gauge_length_});
+  if (stage_.mount) row.push_back({"travel", "m", travel_(t)});
+  if (stage_.pull) row.push_back({"strain", "1", travel_(t) / gauge_length_});
   row.push_back({"force", "N", force});
   row.push_back({"force_per_wale", "N", force / columns});
   row.push_back({"stress", "Pa", force / (width * scene_.gauge.thickness)});
   row.push_back({"force_imbalance", "N", grip_load[1] + grip_load[0]});
-  return row;
 }
 
 }  // namespace wale

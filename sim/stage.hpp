@@ -29,6 +29,10 @@ class StageSetup {
   void hold_ends();
   void mount_ends(const std::vector<double>& travels);
   void pull_ends();
+  std::optional<Along> gripped() const;
+  void guide_periods();
+  void measure_grips(const double (&load)[2], double t, std::vector<Quantity>&) const;
+  void measure_periods(const Points& force, const State&, std::vector<Quantity>&) const;
   Tether grip_on(Along, std::size_t end) const;
   void close_grips(Along);
   void move_grips(Along, Schedule travel);
@@ -40,6 +44,7 @@ class StageSetup {
   Sizes relaxed_;
   Schedule tightening_;
   std::vector<EffectSpec> effects_;
+  PeriodGuide guide_;
   double gauge_length_ = 0;  // m
   Schedule travel_;          // m, by which the grips stand further apart than where they closed
 };

@@ -40,6 +40,30 @@ void Stiffness::slots(int i, int j, int count, std::vector<int>& out) {
   }
 }
 
+void Stiffness::add(const Stiffness& other, double factor) {
+  const std::vector<int>& slots = places(&other, other.version(), [&](std::vector<int>& list) {
+    for (int i = 0; i < other.points(); ++i)
+      for (const Entry& entry : other.row(i))
+        if (entry.column >= i) list.push_back(slot(i, entry.column));
+  });
+  std::size_t next = 0;
+  for (int i = 0; i < other.points(); ++i)
+    for (const Entry& entry : other.row(i))
+      if (entry.column >= i) add_at(slots[next++], factor * other.at(entry.slot));
+}
+
+void Stiffness::hold(int point, int axis, double diagonal) {
+  for (const Entry& entry : row(point)) {
+    Mat3& block = values_[static_cast<std::size_t>(entry.slot)];
+    if (entry.column < point)
+      block.col(axis).setZero();
+    else
+      block.row(axis).setZero();
+    if (entry.column == point) block.col(axis).setZero();
+  }
+  values_[static_cast<std::size_t>(slot(point, point))](axis, axis) = diagonal;
+}
+
 void Stiffness::enter(int row, int column, int slot) {
   auto& entries = rows_[static_cast<std::size_t>(row)];
   entries.insert(find(entries, column), {column, slot});

@@ -42,6 +42,10 @@ class Stiffness {
     return of.slots;
   }
 
+  /// Adds `factor` times another matrix of as many points.
+  void add(const Stiffness& other, double factor);
+  /// Takes coordinate `axis` of a point out: no force on it, and none by it, but `diagonal` times its own motion.
+  void hold(int point, int axis, double diagonal);
   /// How many blocks there are.
   std::size_t slots() const { return values_.size(); }
   int points() const { return static_cast<int>(rows_.size()); }

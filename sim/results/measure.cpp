@@ -90,9 +90,20 @@ double thickness(const Fabric& fabric, const Points& q, const Vec3& across) {
   return percentile(0.95) - percentile(0.05) + diameter;
 }
 
+Sizes measure_repeat(const Fabric& fabric, const Gauge& gauge, const Points& q) {
+  Sizes sizes;
+  sizes.width = q(0, q.cols() - 2);
+  sizes.length = q(1, q.cols() - 1);
+  sizes.wale_spacing = sizes.width / gauge.wales;
+  sizes.course_spacing = sizes.length / gauge.courses;
+  sizes.thickness = thickness(fabric, q, Vec3::UnitZ());
+  return sizes;
+}
+
 }  // namespace
 
 Sizes measure(const Fabric& fabric, const Gauge& gauge, const Points& q) {
+  if (fabric.cell) return measure_repeat(fabric, gauge, q);
   const Vec3 along = direction(fabric, q, gauge.wale_ends), across = direction(fabric, q, gauge.course_ends);
   const Vec3 normal = across.cross(along);
   const Stitches of = stitches(fabric, q);

@@ -7,41 +7,74 @@
 namespace wale {
 namespace {
 
-constexpr double furthest_move = 0.3;  // of the diameter, in one iteration
-constexpr double share_of_gap = 0.45;  // two yarns that each move this share of their gap still do not meet
 // Of the diameter. Beads stand about 0.4 d apart: two yarns whose beads come much nearer than half of that diagonal
 // could pass between them unseen.
 constexpr double least_gap = 0.3;
-// A point pulled by the largest residual and held only by the shift would move so many reaches.
-constexpr double reaches_when_free = 5;
-constexpr int most_inner = 60;  // conjugate-gradient steps
+constexpr double furthest_unseen = 0.3;  // of the diameter, between two looks at what has come near
+// Of the diameter: how far a point would move that is pulled by the largest residual and held only by Levenberg's
+// shift.
+constexpr double reach_when_free = 1.5;
+constexpr int most_inner = 60;       // conjugate-gradient steps
+constexpr int most_corrections = 2;  // with the factor of one step
 
 double furthest(const Eigen::VectorXd& x) {
   return std::sqrt(x.reshaped(3, x.size() / 3).colwise().squaredNorm().maxCoeff());
 }
 
-/// How many times `along` leads from `move` to the edge of the trust region, where no point moves further than `reach`.
-double steps_to_edge(const Eigen::VectorXd& move, const Eigen::VectorXd& along, double reach) {
-  double low = 0, high = reach / std::max(furthest(along), 1e-300);
-  while (furthest(move + high * along) < reach) high *= 2;
-  for (int i = 0; i < 40; ++i) {
+}  // namespace
+
+Equilibrium::Equilibrium(Increment& increment)
+    : increment_(increment),
+      world_(increment.world()),
+      exact_(increment.points()),
+      convex_(increment.points()),
+      leeway_(world_.fabric()) {
+  thickness_ = world_.fabric().materials.front().diameter;
+  for (const Material& material : world_.fabric().materials) thickness_ = std::min(thickness_, material.diameter);
+}
+
+double Equilibrium::share(const Eigen::VectorXd& move) const {
+  return leeway_.share(increment_.spread(move.reshaped(3, move.size() / 3)));
+}
+
+/// How many times `along` leads from `move` to the edge of the trust region.
+double Equilibrium::steps_to_edge(const Eigen::VectorXd& move, const Eigen::VectorXd& along) const {
+  double low = 0, high = reach_ / std::max(share(along), 1e-300);
+  while (share(move + high * along) < reach_) high *= 2;
+  for (int i = 0; i < 20; ++i) {
     const double middle = (low + high) / 2;
-    (furthest(move + middle * along) < reach ? low : high) = middle;
+    (share(move + middle * along) < reach_ ? low : high) = middle;
   }
   return low;
 }
 
-}  // namespace
-
-Equilibrium::Equilibrium(World& world)
-    : world_(world),
-      exact_(static_cast<int>(world.fabric().points.cols())),
-      convex_(static_cast<int>(world.fabric().points.cols())) {
-  thickness_ = world.fabric().materials.front().diameter;
-  for (const Material& material : world.fabric().materials) thickness_ = std::min(thickness_, material.diameter);
+/// Looks at the yarns on the way as often as something could have come near that was not.
+bool Equilibrium::stays_apart(const State& from, const Points& move) {
+  const double gap = world_.closest();
+  const double far = std::sqrt(move.colwise().squaredNorm().maxCoeff());
+  const int looks = static_cast<int>(std::ceil(far / (furthest_unseen * thickness_)));
+  State between = from;
+  for (int look = 1; look <= looks; ++look) {
+    between.q = from.q + move * (static_cast<double>(look) / looks);
+    increment_.prepare(between);
+    if (!(world_.closest() >= std::min(gap, least_gap))) return false;
+  }
+  return true;
 }
 
-double Equilibrium::safe_move() const { return thickness_ * std::min(furthest_move, share_of_gap * world_.closest()); }
+void Equilibrium::follow(State& state, const Points& move) {
+  increment_.prepare(state);
+  leeway_.update(world_.gaps());
+  const double share = leeway_.share(move);
+  if (share == 0) return;
+  for (double step = std::min(1.0, 1 / share); step > 0.01; step /= 2) {
+    if (stays_apart(state, step * move)) {
+      state.q += step * move;
+      return;
+    }
+    increment_.prepare(state);
+  }
+}
 
 void Equilibrium::release(Points& force) const {
   if (world_.constraints().empty()) return;
@@ -51,20 +84,17 @@ void Equilibrium::release(Points& force) const {
 }
 
 double Equilibrium::evaluate(const State& at, Points* force, Effort& effort) {
-  world_.prepare(at);
-  double energy = 0;
-  Load load{.energy = &energy, .force = force};
-  world_.evaluate(at, load);
+  const double energy = increment_.value(at, force);
   ++effort.evaluations;
   if (force) release(*force);
   return energy;
 }
 
 bool Equilibrium::factor(const State& at, Effort& effort) {
-  Load second{.stiffness = &exact_, .convex = &convex_};
-  world_.evaluate(at, second);
   ++effort.factorizations;
-  return cholesky_.factor(convex_, shift_);
+  const double shift = residual_ / (reach_when_free * thickness_);
+  increment_.second(at, leeway_, shift, exact_, convex_);
+  return cholesky_.factor(convex_, 0);
 }
 
 void Equilibrium::precondition(Eigen::VectorXd& x) const {
@@ -82,14 +112,12 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) const {
   double rz = residual.dot(z);
   const double goal = 1e-4 * rz;
   Step step;
-  int n = 0;
-  for (; n < most_inner && rz > goal && rz > 0; ++n) {
+  for (int n = 0; n < most_inner && rz > goal && rz > 0; ++n) {
     exact_.multiply(along, stiff);
-    stiff += shift_ * along;
     const double curvature = along.dot(stiff);
     double alpha = curvature > 0 ? rz / curvature : std::numeric_limits<double>::infinity();
-    if (curvature <= 0 || furthest(move + alpha * along) > reach_) {
-      alpha = steps_to_edge(move, along, reach_);
+    if (curvature <= 0 || share(move + alpha * along) > reach_) {
+      alpha = steps_to_edge(move, along);
       step.limited = true;
     }
     move += alpha * along;
@@ -108,50 +136,72 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) const {
   return step;
 }
 
+/// `move` from `from`, and what is found there; its energy is infinite if yarns would come too near on the way.
+Equilibrium::Trial Equilibrium::attempt(const State& from, const Eigen::VectorXd& move, Effort& effort) {
+  Trial trial{from, std::numeric_limits<double>::infinity(), {}};
+  const Points by = increment_.spread(move.reshaped(3, move.size() / 3));
+  if (!stays_apart(from, by)) return trial;
+  trial.state.q += by;
+  trial.energy = evaluate(trial.state, &trial.force, effort);
+  return trial;
+}
+
+/// A straight step out of a curved valley stretches yarn by the square of its length. The factor at hand takes that out
+/// again, for much less than a new one costs.
+void Equilibrium::correct(Trial& trial, double tolerance, Effort& effort) {
+  for (int i = 0; i < most_corrections; ++i) {
+    Eigen::VectorXd move = trial.force.reshaped();
+    if (furthest(move) < tolerance) return;
+    precondition(move);
+    const double too_far = share(move) / reach_;
+    if (too_far > 1) move /= too_far;
+    Trial next = attempt(trial.state, move, effort);
+    if (!(next.energy < trial.energy)) {
+      increment_.prepare(trial.state);
+      return;
+    }
+    trial = std::move(next);
+  }
+}
+
 Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int iterations, Effort& effort) {
-  Points force;
-  double energy = evaluate(state, &force, effort);
-  if (!std::isfinite(energy)) return Answer::gave_up;
-  reach_ = safe_move();
+  Trial now{state, 0, {}};
+  now.energy = evaluate(state, &now.force, effort);
+  if (!std::isfinite(now.energy)) return Answer::gave_up;
+  reach_ = 1;
   bool factored = false;
   for (int i = 0; i < iterations; ++i) {
-    residual_ = furthest(force.reshaped());
+    residual_ = furthest(now.force.reshaped());
     if (residual_ < tolerance) return Answer::found;
     if (world_.interrupted()) return Answer::gave_up;
     if (!factored) {
-      shift_ = residual_ / (reaches_when_free * safe_move());
-      if (!factor(state, effort)) return Answer::gave_up;
+      leeway_.update(world_.gaps());
+      if (!factor(now.state, effort)) return Answer::gave_up;
       factored = true;
     }
-    const Step step = downhill(force);
-    State trial = state;
-    trial.q += step.move.reshaped(3, step.move.size() / 3);
-    Points trial_force;
-    const double gap = world_.closest();
-    const double trial_energy = evaluate(trial, &trial_force, effort);
-    const bool apart = world_.closest() >= std::min(gap, least_gap);
-    const double gain = (energy - trial_energy) / step.promised;
-    const double length = furthest(step.move);
+    const Step step = downhill(now.force);
+    Trial trial = attempt(now.state, step.move, effort);
+    if (std::isfinite(trial.energy)) correct(trial, tolerance, effort);
+    const double gain = (now.energy - trial.energy) / step.promised;
     // Below the rounding of the energy only the force can tell.
-    const bool drowned = step.promised < 1e-12 * std::abs(energy);
+    const bool drowned = step.promised < 1e-12 * std::abs(now.energy);
     const bool good =
-        apart && std::isfinite(trial_energy) && (drowned ? furthest(trial_force.reshaped()) < residual_ : gain > 1e-3);
+        std::isfinite(trial.energy) && (drowned ? furthest(trial.force.reshaped()) < residual_ : gain > 1e-3);
     if (good) {
-      state = std::move(trial);
-      force = std::move(trial_force);
-      energy = trial_energy;
+      now = std::move(trial);
+      state = now.state;
       factored = false;
     } else {
-      world_.prepare(state);
+      increment_.prepare(now.state);
     }
     if (!good)
-      reach_ = 0.3 * length;
+      reach_ = 0.3 * share(step.move);
     else if (gain < 0.25)
-      reach_ = 0.6 * length;
+      reach_ = 0.6 * share(step.move);
     else if (gain > 0.6 && step.limited)
       reach_ *= 2;
-    reach_ = std::min(reach_, safe_move());
-    if (reach_ < 1e-9 * thickness_) return Answer::gave_up;
+    reach_ = std::min(reach_, 1.0);
+    if (reach_ < 1e-9) return Answer::gave_up;
   }
   return Answer::gave_up;
 }

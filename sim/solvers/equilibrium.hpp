@@ -1,26 +1,29 @@
-/// Finds the rest position nearest downhill of a state, at a fixed load.
+/// Finds the least of an increment nearest downhill of a state.
 #pragma once
 
 #include "sim/solver.hpp"
 #include "sim/solvers/cholesky.hpp"
+#include "sim/solvers/increment.hpp"
+#include "sim/solvers/leeway.hpp"
 #include "sim/world.hpp"
 
 namespace wale {
 
 /// Trust-region Newton on the energy (Steihaug 1983): conjugate gradients on the exact second derivative, which may be
 /// indefinite where yarns are about to slip, preconditioned by the Cholesky factor of its Gauss-Newton part.
-/// No control point moves further in one iteration than leaves every pair of yarns apart, so no yarn can pass
-/// through another.
+/// Neighbours move no further against each other in one iteration than leaves every pair of yarns apart, and yarns that
+/// were not neighbours are looked for on the way, so no yarn can pass through another.
 class Equilibrium {
  public:
-  explicit Equilibrium(World& world);
+  /// `increment` must outlive it.
+  explicit Equilibrium(Increment& increment);
 
   enum class Answer { found, gave_up };
   /// Moves `state.q` until the largest residual force on a control point is below `tolerance`, N.
   Answer relax(State& state, double tolerance, int iterations, Effort& effort);
 
-  /// How far a control point may move at once: a share of the smallest gap between yarns, m.
-  double safe_move() const;
+  /// Moves `state` along `move`, no further than neighbours may at once and no yarn passes through another.
+  void follow(State& state, const Points& move);
   /// The largest residual force after relax(), N.
   double residual() const { return residual_; }
 
@@ -30,18 +33,29 @@ class Equilibrium {
     double promised = 0;  // decrease of energy by the quadratic model, J
     bool limited = false;
   };
+  struct Trial {
+    State state;
+    double energy = 0;  // J
+    Points force;       // N
+  };
+  Trial attempt(const State& from, const Eigen::VectorXd& move, Effort& effort);
+  void correct(Trial& trial, double tolerance, Effort& effort);
   bool factor(const State& at, Effort& effort);
   Step downhill(const Points& force) const;
   double evaluate(const State& at, Points* force, Effort& effort);
+  bool stays_apart(const State& from, const Points& move);
+  double share(const Eigen::VectorXd& move) const;
+  double steps_to_edge(const Eigen::VectorXd& move, const Eigen::VectorXd& along) const;
   void release(Points& force) const;  // takes out what the clamps bear
   void precondition(Eigen::VectorXd& x) const;
 
+  Increment& increment_;
   World& world_;
   Stiffness exact_, convex_;
   Cholesky cholesky_;
+  Leeway leeway_;
   double thickness_ = 0;  // of the thinnest yarn, m
-  double reach_ = 0;      // how far a control point may move in one iteration, m
-  double shift_ = 0;      // Levenberg's, N/m: keeps soft modes within reach while stiff ones take their whole step
+  double reach_ = 0;      // of what neighbours may move against each other in one iteration
   double residual_ = 0;
 };
 

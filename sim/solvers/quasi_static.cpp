@@ -13,7 +13,12 @@ namespace {
 class QuasiStaticSolver final : public Solver {
  public:
   QuasiStaticSolver(const QuasiStatic& spec, World& world, State start)
-      : spec_(spec), world_(world), equilibrium_(world), state_(std::move(start)), before_(state_) {
+      : spec_(spec),
+        world_(world),
+        increment_(world),
+        equilibrium_(increment_),
+        state_(std::move(start)),
+        before_(state_) {
     const Material& yarn = world.fabric().materials.front();
     tolerance_ = spec.tolerance * yarn.bending_rigidity / (yarn.diameter * yarn.diameter);
     world.prepare(state_);
@@ -23,6 +28,7 @@ class QuasiStaticSolver final : public Solver {
     if (state_.step <= 0) state_.step = spec_.first_step > 0 ? spec_.first_step : until - state_.t;
     while (true) {
       const double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
+      increment_.begin(state_, target - state_.t);
       State next = guess(target);
       if (equilibrium_.relax(next, tolerance_, spec_.iterations, effort_) == Equilibrium::Answer::found)
         return accept(std::move(next), until);
@@ -47,12 +53,11 @@ class QuasiStaticSolver final : public Solver {
   const Effort& effort() const override { return effort_; }
 
  private:
-  State guess(double target) const {
+  State guess(double target) {
     State next = state_;
     next.t = target;
-    const Points move = (target - state_.t) * state_.v;
-    const double furthest = std::sqrt(move.colwise().squaredNorm().maxCoeff());
-    if (furthest > 0) next.q += std::min(1.0, equilibrium_.safe_move() / furthest) * move;
+    equilibrium_.follow(next, (target - state_.t) * state_.v);
+    if (world_.fabric().cell) world_.guide().lead(next);
     return next;
   }
 
@@ -76,6 +81,7 @@ class QuasiStaticSolver final : public Solver {
 
   QuasiStatic spec_;
   const World& world_;
+  Increment increment_;
   Equilibrium equilibrium_;
   State state_, before_;
   double tolerance_;  // N

@@ -1,0 +1,78 @@
+#include "sim/solvers/increment.hpp"
+
+namespace wale {
+namespace {
+
+constexpr double held_stiffness = 1e3;  // N/m, of what does not move and feels no force: about as stiff as yarn
+
+}  // namespace
+
+Increment::Increment(World& world)
+    : world_(world),
+      dissipates_(world.dissipates()),
+      damping_(world.ties().columns()),
+      exact_(world.ties().columns()),
+      convex_(world.ties().columns()) {}
+
+void Increment::begin(const State& from, double time) {
+  if (!dissipates_) return;
+  from_ = from;
+  time_ = time;
+  world_.prepare(from, Acting::dissipative);
+}
+
+/// Where the step began, at the velocity that leads to `at`.
+State Increment::moving(const State& at) const {
+  State state = from_;
+  state.v = (at.q - from_.q) / time_;
+  return state;
+}
+
+double Increment::value(const State& at, Points* force) {
+  prepare(at);
+  double energy = 0;
+  Load load{.energy = &energy, .force = force};
+  world_.evaluate(at, load, Acting::elastic);
+  if (dissipates_) {
+    double dissipation = 0;
+    Points drag;
+    Load loss{.force = force ? &drag : nullptr, .dissipation = &dissipation};
+    world_.evaluate(moving(at), loss, Acting::dissipative);
+    if (force) *force += drag;
+    energy += time_ * dissipation;
+  }
+  if (force && !world_.ties().empty()) {
+    *force = world_.ties().gather(*force);
+    force->rightCols<2>().array() *= world_.guide().mobility().array();
+  }
+  return energy;
+}
+
+void Increment::second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness& convex) {
+  const bool periodic = !world_.ties().empty();
+  Stiffness &all_exact = periodic ? exact_ : exact, &all_convex = periodic ? convex_ : convex;
+  Load load{.stiffness = &all_exact, .convex = &all_convex};
+  world_.evaluate(at, load, Acting::elastic);
+  if (dissipates_) {
+    Load loss{.damping = &damping_};
+    world_.evaluate(moving(at), loss, Acting::dissipative);
+    all_exact.add(damping_, 1 / time_);
+    all_convex.add(damping_, 1 / time_);
+  }
+  leeway.add_to(all_exact, shift);
+  leeway.add_to(all_convex, shift);
+  if (!periodic) return;
+  gather(exact_, exact);
+  gather(convex_, convex);
+}
+
+/// By what may move; a period that may not is left with a stiffness of its own.
+void Increment::gather(Stiffness& by_all, Stiffness& by_free) const {
+  world_.ties().gather(by_all, by_free);
+  const auto mobility = world_.guide().mobility();
+  for (int period = 0; period < 2; ++period)
+    for (int axis = 0; axis < 3; ++axis)
+      if (mobility(axis, period) == 0) by_free.hold(points() - 2 + period, axis, held_stiffness);
+}
+
+}  // namespace wale

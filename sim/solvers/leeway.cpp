@@ -1,0 +1,81 @@
+#include "sim/solvers/leeway.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wale {
+namespace {
+
+constexpr double along_yarn = 0.3;      // of the diameter
+constexpr double across_yarns = 0.6;    // of the diameter
+constexpr double share_of_gap = 0.9;    // two yarns that come nearer by this share of their gap do not meet
+constexpr double shared_motion = 0.01;  // of the weight
+
+}  // namespace
+
+Leeway::Leeway(const Fabric& fabric) : fabric_(fabric) {
+  thickness_ = fabric.materials.front().diameter;
+  for (const Material& material : fabric.materials) thickness_ = std::min(thickness_, material.diameter);
+}
+
+void Leeway::update(std::vector<Gap> gaps) {
+  near_.clear();
+  for (const Gap& gap : gaps)
+    near_.push_back({fabric_.first_point(gap.a), fabric_.first_point(gap.b), gap.image,
+                     std::min(across_yarns * thickness_, share_of_gap * gap.distance), gap.distance < gap.diameter});
+}
+
+double Leeway::share(const Points& move) const {
+  double most = 0;
+  const auto periods = fabric_.points.cols();
+#pragma omp parallel reduction(max : most)
+  {
+#pragma omp for schedule(static) nowait
+    for (std::size_t y = 0; y < fabric_.yarns.size(); ++y) {
+      const Yarn& yarn = fabric_.yarns[y];
+      for (int k = yarn.first_point; k + 1 < yarn.first_point + yarn.points(); ++k)
+        most = std::max(most, (move.col(k + 1) - move.col(k)).squaredNorm());
+    }
+    most /= along_yarn * along_yarn * thickness_ * thickness_;
+#pragma omp for schedule(static)
+    for (std::size_t p = 0; p < near_.size(); ++p) {
+      const Near& near = near_[p];
+      Vec3 apart = (move.middleCols<4>(near.a).rowwise().sum() - move.middleCols<4>(near.b).rowwise().sum()) / 4;
+      if (!near.image.isZero()) apart -= move.middleCols<2>(periods) * near.image.cast<double>();
+      most = std::max(most, apart.squaredNorm() / (near.allowed * near.allowed));
+    }
+  }
+  return std::sqrt(most);
+}
+
+void Leeway::add_to(Stiffness& K, double weight) const {
+  const Mat3 block = weight * Mat3::Identity();
+  for (int i = 0; i < K.points(); ++i) K.add(i, i, shared_motion * block);
+  for (const Yarn& yarn : fabric_.yarns)
+    for (int k = yarn.first_point; k + 1 < yarn.first_point + yarn.points(); ++k) {
+      K.add(k, k, block);
+      K.add(k + 1, k + 1, block);
+      K.add(k, k + 1, -block);
+    }
+  const int periods = static_cast<int>(fabric_.points.cols());
+  for (const Near& near : near_) {
+    if (!near.touches) continue;
+    std::array<std::pair<int, double>, 10> terms;
+    for (int k = 0; k < 4; ++k) {
+      terms[static_cast<std::size_t>(k)] = {near.a + k, 0.25};
+      terms[static_cast<std::size_t>(k + 4)] = {near.b + k, -0.25};
+    }
+    std::size_t count = 8;
+    for (int axis = 0; axis < 2; ++axis)
+      if (near.image[axis] != 0) terms[count++] = {periods + axis, -near.image[axis]};
+    for (std::size_t m = 0; m < count; ++m)
+      for (std::size_t n = m; n < count; ++n) {
+        const auto [p, u] = terms[m];
+        const auto [q, v] = terms[n];
+        K.add(std::min(p, q), std::max(p, q), (p == q && m != n ? 2 : 1) * u * v * block);
+      }
+  }
+}
+
+}  // namespace wale

@@ -1,0 +1,38 @@
+/// How far neighbouring pieces of yarn may move against each other in one step of an iteration.
+#pragma once
+
+#include <vector>
+
+#include "sim/effect.hpp"
+
+namespace wale {
+
+/// Neighbours are control points that follow each other along a yarn, and segments of which the contact list says that
+/// they are near. Motion that they share costs nothing: a swatch of any size may be stretched, moved or turned in as
+/// many iterations as a small one.
+class Leeway {
+ public:
+  explicit Leeway(const Fabric&);
+
+  /// Takes the neighbours that are near now.
+  void update(std::vector<Gap> gaps);
+  /// The largest motion of neighbours against each other, over what they are allowed: 0.3 d along a yarn; of two
+  /// segments 0.6 d or 0.9 of their gap, whichever is less, so that they do not meet. `move` has the columns of
+  /// State::q.
+  double share(const Points& move) const;
+  /// Adds weight/2 Σ |Δ_i - Δ_j|² over neighbours that touch, and a hundredth of it for motion that all share; N/m.
+  void add_to(Stiffness& K, double weight) const;
+
+ private:
+  struct Near {
+    int a = 0, b = 0;  // first control points
+    Eigen::Vector2i image;
+    double allowed = 0;  // m
+    bool touches = false;
+  };
+  const Fabric& fabric_;
+  double thickness_ = 0;  // of the thinnest yarn, m
+  std::vector<Near> near_;
+};
+
+}  // namespace wale
