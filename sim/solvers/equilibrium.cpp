@@ -4,13 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/solvers/clearance.hpp"
+
 namespace wale {
 namespace {
 
-// Of the diameter. Beads stand about 0.4 d apart: two yarns whose beads come much nearer than half of that diagonal
-// could pass between them unseen.
-constexpr double least_gap = 0.3;
-constexpr double furthest_unseen = 0.3;  // of the diameter, between two looks at what has come near
+constexpr double least_clearance = 0.1;  // of the diameter, between the axes of two yarns
+// Of the diameter, by a point between two looks at what has come near: from one side of another yarn to the other with
+// the least clearance on both.
+constexpr double furthest_unseen = 0.1;
+constexpr double never_through = 0.5;  // of the diameter: beads so far apart leave no room to slip between
 // Of the diameter: how far a point would move that is pulled by the largest residual and held only by Levenberg's
 // shift.
 constexpr double reach_when_free = 1.5;
@@ -48,23 +51,32 @@ double Equilibrium::steps_to_edge(const Eigen::VectorXd& move, const Eigen::Vect
   return low;
 }
 
+double Equilibrium::clearance_at(const State& state) const {
+  if (!(world_.closest() < never_through)) return std::isnan(world_.closest()) ? 0 : never_through;
+  return clearance(world_.fabric(), state.q, world_.gaps());
+}
+
 /// Looks at the yarns on the way as often as something could have come near that was not.
 bool Equilibrium::stays_apart(const State& from, const Points& move) {
-  const double gap = world_.closest();
-  const double far = std::sqrt(move.colwise().squaredNorm().maxCoeff());
-  const int looks = static_cast<int>(std::ceil(far / (furthest_unseen * thickness_)));
+  const double enough = std::min(clearance_, least_clearance);
+  const int looks = 1 + static_cast<int>(std::ceil(uneven_motion(from.q, move) / (furthest_unseen * thickness_)));
   State between = from;
   for (int look = 1; look <= looks; ++look) {
     between.q = from.q + move * (static_cast<double>(look) / looks);
     increment_.prepare(between);
-    if (!(world_.closest() >= std::min(gap, least_gap))) return false;
+    if (!(clearance_at(between) >= enough)) return false;
   }
   return true;
 }
 
+void Equilibrium::look_around(const State& state) {
+  leeway_.update(state.q, world_.gaps());
+  clearance_ = clearance_at(state);
+}
+
 void Equilibrium::follow(State& state, const Points& move) {
   increment_.prepare(state);
-  leeway_.update(world_.gaps());
+  look_around(state);
   const double share = leeway_.share(move);
   if (share == 0) return;
   for (double step = std::min(1.0, 1 / share); step > 0.01; step /= 2) {
@@ -175,7 +187,7 @@ Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int itera
     if (residual_ < tolerance) return Answer::found;
     if (world_.interrupted()) return Answer::gave_up;
     if (!factored) {
-      leeway_.update(world_.gaps());
+      look_around(now.state);
       if (!factor(now.state, effort)) return Answer::gave_up;
       factored = true;
     }

@@ -43,6 +43,8 @@ class Equilibrium {
   bool factor(const State& at, Effort& effort);
   Step downhill(const Points& force) const;
   double evaluate(const State& at, Points* force, Effort& effort);
+  double clearance_at(const State& state) const;
+  void look_around(const State& state);
   bool stays_apart(const State& from, const Points& move);
   double share(const Eigen::VectorXd& move) const;
   double steps_to_edge(const Eigen::VectorXd& move, const Eigen::VectorXd& along) const;
@@ -56,6 +58,7 @@ class Equilibrium {
   Leeway leeway_;
   double thickness_ = 0;  // of the thinnest yarn, m
   double reach_ = 0;      // of what neighbours may move against each other in one iteration
+  double clearance_ = 0;  // over the diameter, where the iteration stands
   double residual_ = 0;
 };
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/solvers/clearance.hpp"
+
 namespace wale {
 namespace {
 
@@ -19,11 +21,14 @@ Leeway::Leeway(const Fabric& fabric) : fabric_(fabric) {
   for (const Material& material : fabric.materials) thickness_ = std::min(thickness_, material.diameter);
 }
 
-void Leeway::update(std::vector<Gap> gaps) {
+void Leeway::update(const Points& q, const std::vector<Gap>& gaps) {
   near_.clear();
-  for (const Gap& gap : gaps)
+  for (const Gap& gap : gaps) {
+    // Beads that are near each other may have axes that are nearer.
+    const double apart = gap.distance < gap.diameter / 2 ? axis_distance(fabric_, q, gap) : gap.distance;
     near_.push_back({fabric_.first_point(gap.a), fabric_.first_point(gap.b), gap.image,
-                     std::min(across_yarns * thickness_, share_of_gap * gap.distance), gap.distance < gap.diameter});
+                     std::min(across_yarns * thickness_, share_of_gap * apart), gap.distance < gap.diameter});
+  }
 }
 
 double Leeway::share(const Points& move) const {

@@ -15,7 +15,7 @@ class Leeway {
   explicit Leeway(const Fabric&);
 
   /// Takes the neighbours that are near now.
-  void update(std::vector<Gap> gaps);
+  void update(const Points& q, const std::vector<Gap>& gaps);
   /// The largest motion of neighbours against each other, over what they are allowed: 0.3 d along a yarn; of two
   /// segments 0.6 d or 0.9 of their gap, whichever is less, so that they do not meet. `move` has the columns of
   /// State::q.

@@ -1,0 +1,76 @@
+#include "sim/solvers/clearance.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/spline.hpp"
+
+namespace wale {
+namespace {
+
+constexpr double near = 0.5;  // of the diameter
+constexpr int chords = 4;
+
+using Chords = std::array<Vec3, chords + 1>;
+
+Chords chords_of(const Fabric& fabric, const Points& q, int segment) {
+  static const auto bases = [] {
+    std::array<Basis, chords + 1> at;
+    for (int k = 0; k <= chords; ++k) at[static_cast<std::size_t>(k)] = basis(static_cast<double>(k) / chords);
+    return at;
+  }();
+  Chords points;
+  for (std::size_t k = 0; k <= chords; ++k) points[k] = combine(q, fabric.first_point(segment), bases[k].value);
+  return points;
+}
+
+double along(const Vec3& from, const Vec3& chord, const Vec3& point) {
+  const double squared = chord.squaredNorm();
+  return squared > 0 ? std::clamp(chord.dot(point - from) / squared, 0.0, 1.0) : 0;
+}
+
+/// Between the straight lines from a by u and from b by v (Ericson 2005, Real-Time Collision Detection, 5.1.9).
+double chord_distance(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v) {
+  const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), determinant = uu * vv - uv * uv;
+  const Vec3 apart = a - b;
+  double s =
+      determinant > 1e-12 * uu * vv ? std::clamp((uv * v.dot(apart) - vv * u.dot(apart)) / determinant, 0.0, 1.0) : 0;
+  const double t = along(b, v, a + s * u);
+  s = along(a, u, b + t * v);
+  return (apart + s * u - t * v).norm();
+}
+
+}  // namespace
+
+double axis_distance(const Fabric& fabric, const Points& q, const Gap& gap) {
+  const Chords a = chords_of(fabric, q, gap.a);
+  Chords b = chords_of(fabric, q, gap.b);
+  if (!gap.image.isZero())
+    for (Vec3& point : b) point += q.rightCols<2>() * gap.image.cast<double>();
+  double least = gap.distance;
+  for (std::size_t i = 0; i < chords; ++i)
+    for (std::size_t j = 0; j < chords; ++j)
+      least = std::min(least, chord_distance(a[i], a[i + 1] - a[i], b[j], b[j + 1] - b[j]));
+  return least;
+}
+
+double clearance(const Fabric& fabric, const Points& q, const std::vector<Gap>& gaps) {
+  double least = near;
+  for (const Gap& gap : gaps)
+    if (gap.distance < near * gap.diameter) least = std::min(least, axis_distance(fabric, q, gap) / gap.diameter);
+  return least;
+}
+
+double uneven_motion(const Points& q, const Points& move) {
+  Eigen::MatrixXd place(4, q.cols());
+  place.topRows<3>() = q.colwise() - q.rowwise().mean();
+  place.row(3).setOnes();
+  // A flat or straight fabric says nothing of some directions: the least change there is none.
+  const Eigen::Matrix4d spread = place * place.transpose();
+  const Eigen::Matrix<double, 4, 3> even = spread.completeOrthogonalDecomposition().solve(place * move.transpose());
+  return std::sqrt((move - even.transpose() * place).colwise().squaredNorm().maxCoeff());
+}
+
+}  // namespace wale

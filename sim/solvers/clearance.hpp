@@ -1,0 +1,18 @@
+/// How near the axes of yarns are to each other, where their beads come so near that they could slip between.
+#pragma once
+
+#include "sim/effect.hpp"
+
+namespace wale {
+
+/// The distance between the axes of two segments, each taken as four chords, m. `q` has the columns of State::q.
+double axis_distance(const Fabric&, const Points& q, const Gap&);
+
+/// The least distance of two axes over their contact diameter, among `gaps` of which the beads are nearer than half of
+/// that; else a half.
+double clearance(const Fabric&, const Points& q, const std::vector<Gap>& gaps);
+
+/// The largest motion of a column of `move` beyond what a uniform strain, turn and shift of all of `q` explains, m.
+double uneven_motion(const Points& q, const Points& move);
+
+}  // namespace wale
