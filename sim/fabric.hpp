@@ -54,7 +54,7 @@ struct Yarn {
 
 /// One repeat of a fabric without end: everything in it comes again after each period. Every yarn goes on by the course
 /// period, so that its last three control points are its first three, one course period on.
-struct Cell {
+struct PeriodicCell {
   Vec3 course = Vec3::Zero();  ///< from a stitch to the same one a repeat to its right, m
   Vec3 wale = Vec3::Zero();    ///< from a stitch to the same one a repeat above, m
 };
@@ -64,7 +64,7 @@ struct Fabric {
   std::vector<Yarn> yarns;
   std::vector<Segment> segments;  ///< all yarns, in order
   Points points;                  ///< 3 x M, as laid by the compiler
-  std::optional<Cell> cell;       ///< of a periodic fabric, as laid by the compiler
+  std::optional<PeriodicCell> cell;       ///< of a periodic fabric, as laid by the compiler
 
   /// The first of the four control points (adjacent columns) that carry a segment.
   int first_point(int segment) const {
