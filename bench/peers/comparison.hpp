@@ -1,0 +1,17 @@
+/// The same problem by every method, as tables of error against cost.
+#pragma once
+
+#include <string>
+
+#include "bench/peers/problem.hpp"
+
+namespace wale::peers {
+
+/// The motion over the first `span` s. Errors are against Dormand-Prince at a tolerance of 1e-10.
+void compare_motion(const Problem&, const std::string& title, double span);
+
+/// The rest positions up to the end of the stage, in `samples` load steps at least. Errors are against `quasi_static`
+/// at the tightest tolerance of the table. Implicit motion under drag is among the methods: it comes to rest as well.
+void compare_rest(const Problem&, const std::string& title, int samples);
+
+}  // namespace wale::peers
