@@ -15,7 +15,7 @@ namespace {
 // As sim/solvers/equilibrium.cpp: how far a point may move, in diameters, and how far a free one would.
 constexpr double furthest_move = 0.3, reaches_when_free = 5;
 constexpr int most_inner = 60, most_iterations = 200;
-constexpr double smallest_step = 1e-3;  // share of the load
+constexpr double smallest_step = 1.0 / 8;  // share of the load
 
 /// force(q) = 0 at one load.
 class Balance {

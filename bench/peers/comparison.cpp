@@ -24,7 +24,7 @@ Method by_pair(const std::string& name, Pair pair) {
           [pair](World& world, const State& start, double until, double tolerance) {
             return move_by_arkode(world, start, until, accuracy(tolerance), pair);
           },
-          {1e-3, 1e-5, 1e-7}};
+          {1e-3, 1e-5}};
 }
 
 std::vector<Method> movers() {
@@ -34,9 +34,9 @@ std::vector<Method> movers() {
   const auto bdf = [](World& world, const State& start, double until, double tolerance) {
     return move_by_cvode(world, start, until, accuracy(tolerance));
   };
-  return {{"wale `runge_kutta` 4(3)", ours, {1e-3, 1e-5, 1e-7}},   by_pair("Zonneveld 4(3)", Pair::zonneveld_43),
+  return {{"wale `runge_kutta` 4(3)", ours, {1e-3, 1e-5}},         by_pair("Zonneveld 4(3)", Pair::zonneveld_43),
           by_pair("Sayfy-Aburub 4(3)", Pair::sayfy_aburub_43),     by_pair("Cash-Karp 5(4)", Pair::cash_karp_54),
-          by_pair("Dormand-Prince 5(4)", Pair::dormand_prince_54), {"CVODE BDF", bdf, {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}}};
+          by_pair("Dormand-Prince 5(4)", Pair::dormand_prince_54), {"CVODE BDF", bdf, {1e-2, 1e-3, 1e-4, 1e-5}}};
 }
 
 std::vector<Method> resters(int samples) {
@@ -46,7 +46,7 @@ std::vector<Method> resters(int samples) {
   const auto kinsol = [samples](World& world, const State& start, double until, double tolerance) {
     return rest_by_kinsol(world, start, until, {.tolerance = tolerance, .samples = samples});
   };
-  return {{"wale `quasi_static`", ours, {0.3, 0.1, 0.05, 0.02}}, {"KINSOL", kinsol, {0.3, 0.1, 0.05}}};
+  return {{"wale `quasi_static`", ours, {0.3, 0.1, 0.05}}, {"KINSOL", kinsol, {0.3, 0.1, 0.05}}};
 }
 
 /// Root mean square of the distances between control points, m.
@@ -73,7 +73,7 @@ void print_title(const std::string& title, const Problem& problem, const char* e
 void compare_motion(const Problem& problem, const std::string& title, double span) {
   print_title(title, problem, "error of position, µm");
   const auto world = problem.moving();
-  const Answer reference = move_by_arkode(*world, problem.start(), span, accuracy(1e-10), Pair::dormand_prince_54);
+  const Answer reference = move_by_arkode(*world, problem.start(), span, accuracy(1e-8), Pair::dormand_prince_54);
   for (const Method& method : movers())
     for (const double tolerance : method.tolerances) {
       const Answer answer = method.solve(*world, problem.start(), span, tolerance);
@@ -86,7 +86,7 @@ void compare_rest(const Problem& problem, const std::string& title, int samples)
   const State& start = problem.start();
   const auto world = problem.still();
   const Answer reference =
-      rest_by_quasi_static(*world, start, problem.duration(), {.tolerance = 1e-3, .samples = samples});
+      rest_by_quasi_static(*world, start, problem.duration(), {.tolerance = 1e-2, .samples = samples});
   const Quantity expected = problem.asked_of(reference.state);
   const auto error = [&](const Answer& answer) {
     return fmt::format("{:.2g} %", 100 * (problem.asked_of(answer.state).value / expected.value - 1));
@@ -98,10 +98,12 @@ void compare_rest(const Problem& problem, const std::string& title, int samples)
       const Answer answer = method.solve(*world, start, problem.duration(), tolerance);
       print_row(row(method, tolerance, error(answer), answer));
     }
-  const Method bdf{"CVODE BDF, with drag", {}, {1e-2, 1e-3, 1e-4}};
+  const Method bdf{"CVODE BDF, with drag", {}, {1e-2, 1e-3}};
   const auto moving = problem.moving();
   for (const double tolerance : bdf.tolerances) {
-    const Answer answer = move_by_cvode(*moving, start, problem.duration(), accuracy(tolerance));
+    const Answer answer =
+        move_by_cvode(*moving, start, problem.duration(),
+                      {.relative = tolerance, .absolute = 1e-5 * tolerance, .absolute_speed = 0.1 * tolerance});
     print_row(row(bdf, tolerance, error(answer), answer));
   }
 }

@@ -7,11 +7,11 @@
 
 namespace wale::peers {
 
-/// The motion over the first `span` s. Errors are against Dormand-Prince at a tolerance of 1e-10.
+/// The motion over the first `span` s. Errors are against Dormand-Prince at a tolerance of 1e-8.
 void compare_motion(const Problem&, const std::string& title, double span);
 
 /// The rest positions up to the end of the stage, in `samples` load steps at least. Errors are against `quasi_static`
-/// at the tightest tolerance of the table. Implicit motion under drag is among the methods: it comes to rest as well.
+/// at a tolerance of 0.01. Implicit motion under drag is among the methods: it comes to rest as well.
 void compare_rest(const Problem&, const std::string& title, int samples);
 
 }  // namespace wale::peers

@@ -65,8 +65,7 @@ Quantity Problem::asked_of(const State& state) const {
 }
 
 std::unique_ptr<Problem> relaxing(int wales, int courses) {
-  return std::make_unique<Problem>(
-      scene_of(wales, courses, "  - {name: relax, duration: 1 s, effects: {plates: {gap: 1.2 mm}}}\n"));
+  return std::make_unique<Problem>(scene_of(wales, courses, "  - {name: relax, hold: ends, duration: 1 s}\n"));
 }
 
 std::unique_ptr<Problem> pulling(int wales, int courses, double duration) {

@@ -36,7 +36,8 @@ class Problem {
   std::unique_ptr<StageSetup> still_, moving_;
 };
 
-/// A jersey swatch as in examples/01_first_stitch: tightened, and let go flat between plates.
+/// A jersey swatch as in examples/01_first_stitch: tightened roughly, and relaxed while cast-on and bind-off are held.
+/// Let go whole, without friction, it would have no one rest position.
 std::unique_ptr<Problem> relaxing(int wales, int courses);
 /// The same swatch relaxed, then gripped and pulled along the wales to 40 % within `duration`, s.
 std::unique_ptr<Problem> pulling(int wales, int courses, double duration);
