@@ -15,7 +15,7 @@ namespace {
 // As sim/solvers/equilibrium.cpp: how far a point may move, in diameters, and how far a free one would.
 constexpr double furthest_move = 0.3, reaches_when_free = 5;
 constexpr int most_inner = 60, most_iterations = 200;
-constexpr double smallest_step = 1.0 / 8;  // share of the load
+constexpr double smallest_step = 1.0 / 8;  // of the first
 
 /// force(q) = 0 at one load.
 class Balance {
@@ -123,7 +123,7 @@ Answer rest_by_kinsol(World& world, const State& start, double until, const Rest
 
   Answer answer;
   double t = start.t, step = (until - t) / rest.samples;
-  const double least = smallest_step * (until - t);
+  const double least = smallest_step * step;
   while (t < until) {
     const double to = std::min(until, t + step);
     const Eigen::VectorXd before = q;

@@ -55,7 +55,7 @@ double distance(const Points& a, const Points& b) { return std::sqrt((a - b).col
 Row row(const Method& method, double tolerance, const std::string& error, const Answer& answer) {
   return {method.name,
           fmt::format("{:.0e}", tolerance),
-          answer.failure.empty() ? error : fmt::format("stopped at {:.3g} s", answer.state.t),
+          answer.failure.empty() ? error : fmt::format("{} at {:.3g} s", answer.failure, answer.state.t),
           fmt::format("{}", answer.steps),
           fmt::format("{}", answer.evaluations),
           fmt::format("{}", answer.factorizations),
