@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -16,9 +17,16 @@ namespace wale {
 struct Stretch {
   int nodes = 1;  ///< Gauss nodes a segment: 1 avoids membrane locking, 3 is the paper's exact integral
 };
-/// V = ½ EI l ∫ κ² ds (Eqs. 13, 14).
+/// What a yarn is bent like where no bending moment acts on it.
+enum class RestShape : std::uint8_t {
+  straight,  ///< κ_0 = 0
+  as_laid    ///< it has set: κ_0 is the curvature as laid by the compiler, times l0 / l as its rest length shrinks
+};
+/// V = ½ EI l ∫ (κ - κ_0)² ds (Eqs. 13, 14, with a rest curvature). How strongly a yarn bends is remembered, not
+/// towards which side: turning its bends about the yarn (torsion) costs nothing.
 struct Bend {
   int nodes = 3;  ///< Gauss nodes a segment
+  RestShape rest = RestShape::straight;
 };
 /// V = -rho l0 ∫ y·g ds (Eq. 15, sign corrected).
 struct Gravity {

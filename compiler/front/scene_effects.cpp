@@ -48,7 +48,11 @@ Stretch read_stretch(const YamlNode& node, Diagnostics& say) {
 
 Bend read_bend(const YamlNode& node, Diagnostics& say) {
   Bend spec;
-  Settings(node, "bend", {"nodes"}, say).count("nodes", 1, most_nodes, spec.nodes);
+  const Settings settings(node, "bend", {"nodes", "rest"}, say);
+  settings.count("nodes", 1, most_nodes, spec.nodes);
+  if (const YamlNode* rest = settings.find("rest"))
+    spec.rest = read_word(*rest, "the rest shape", {"straight", "as_laid"}, say).value_or(0) == 1 ? RestShape::as_laid
+                                                                                                  : RestShape::straight;
   return spec;
 }
 

@@ -40,7 +40,7 @@ effects:
   contact_damping: {tangential: 20 N s/m^3, normal: 10 N s/m^3, sampling: 4 %, screening: 1.5}
 stages:
   - {name: tighten, duration: 1 s, tighten: 90 %, hold: ends, samples: 4, grip_stiffness: 2e4 N/m^2}
-  - {name: relax, duration: 500 ms, effects: {plates: {gap: 3 mm, stiffness: 2e3 N/m^2}, drag: }}
+  - {name: relax, duration: 500 ms, effects: {plates: {gap: 3 mm, stiffness: 2e3 N/m^2}, drag: , bend: {rest: as_laid}}}
   - name: pull
     duration: 8 s
     pull: {along: course, to: 60 %}
@@ -90,6 +90,8 @@ TEST(Scene, AStageAddsToTheCommonEffectsOrReplacesThem) {
   EXPECT_DOUBLE_EQ(find<Plates>(scene->stages[1].effects)->stiffness, 2e3);
   EXPECT_DOUBLE_EQ(find<Drag>(scene->stages[0].effects)->coefficient, 0.5);
   EXPECT_DOUBLE_EQ(find<Drag>(scene->stages[1].effects)->coefficient, Drag{}.coefficient);
+  EXPECT_EQ(find<Bend>(scene->stages[0].effects)->rest, RestShape::straight);
+  EXPECT_EQ(find<Bend>(scene->stages[1].effects)->rest, RestShape::as_laid);
   EXPECT_EQ(scene->stages[1].effects.size(), scene->stages[0].effects.size() + 1);
 }
 

@@ -40,6 +40,7 @@ std::vector<Case> cases() {
       {"StretchAtOneNode", Stretch{.nodes = 1}},
       {"StretchAtThreeNodes", Stretch{.nodes = 3}},
       {"Bend", Bend{}},
+      {"BendOfYarnThatHasSet", Bend{.rest = RestShape::as_laid}},
       {"Gravity", Gravity{{1, -9.81, 2}}, barrier, true, false, false, true},
       {"Drag", Drag{}, barrier, false, false, false, true},
       {"BarrierContact", Contact{}, barrier},
@@ -383,6 +384,72 @@ TEST(Bend, HasTheSameStiffnessConvexOrNotInAStraightYarn) {
   Load both{.stiffness = &exact, .convex = &convex};
   bend->add(at, both);
   EXPECT_LT((dense(exact) - dense(convex)).norm(), 1e-12 * dense(exact).norm());
+}
+
+/// A yarn laid in an arc of radius 2 mm.
+Fabric arc_of_yarn(int segments) {
+  constexpr double radius = 2e-3, turn = 0.25;
+  Points points(3, segments + 3);
+  for (int k = 0; k < segments + 3; ++k) points.col(k) = radius * Vec3(std::cos(turn * k), std::sin(turn * k), 0);
+  Fabric fabric;
+  fabric.materials = {Material{}};
+  add_yarn(fabric, points, turn * radius);
+  return fabric;
+}
+
+struct Bent {
+  double energy = 0;
+  Points force;
+};
+
+Bent bent(const Fabric& fabric, const Schedule& tightening, const Points& q) {
+  State at = shaken_state(fabric, 0, 1);
+  Parts parts{fabric, tightening, at};
+  const auto bend = make(Bend{.rest = RestShape::as_laid}, parts);
+  at.q = q;
+  Bent found{0, Points::Zero(3, q.cols())};
+  Load load{.energy = &found.energy, .force = &found.force};
+  bend->add(at, load);
+  return found;
+}
+
+TEST(Bend, PullsAtNothingInYarnThatHasSetAsItLies) {
+  const Fabric fabric = arc_of_yarn(8);
+  const double moment = fabric.materials[0].bending_rigidity / 2e-3;
+  EXPECT_LT(std::abs(bent(fabric, 0.0, fabric.points).energy), 1e-12 * moment);
+  EXPECT_LT(bent(fabric, 0.0, fabric.points).force.norm(), 1e-12 * moment / 2e-3);
+}
+
+TEST(Bend, HasARestShapeThatShrinksWithTheRestLength) {
+  Fabric fabric = arc_of_yarn(8);
+  for (Segment& segment : fabric.segments) segment.knitted = 0.9 * segment.length;
+  const double force = fabric.materials[0].bending_rigidity / (2e-3 * 2e-3);
+  EXPECT_LT(bent(fabric, 1.0, 0.9 * fabric.points).force.norm(), 1e-12 * force);
+  EXPECT_GT(bent(fabric, 1.0, fabric.points).force.norm(), 1e-3 * force);
+}
+
+/// Half as strong a bend: ½ EI κ_0²/4 a length, within the rounding at κ = 0.
+TEST(Bend, CostsTheSquareOfTheDepartureFromTheRestCurvature) {
+  const Fabric fabric = arc_of_yarn(64);
+  const double curvature = 1 / 2e-3, length = 64 * 0.25 * 2e-3;
+  const double expected = fabric.materials[0].bending_rigidity * length * curvature * curvature / 8;
+  EXPECT_NEAR(bent(fabric, 0.0, 2 * fabric.points).energy, expected, 0.03 * expected);
+}
+
+TEST(Bend, IsSmoothWhereYarnThatHasSetIsStraight) {
+  const Fabric fabric = arc_of_yarn(5);
+  const Points straight = straight_points({0, 0, 0}, {2.5e-3, 0, 0}, 5);
+  Points bowed = straight;
+  shake(bowed, 1e-6, 6);
+  for (const Points& q : {straight, bowed}) {
+    const Bent here = bent(fabric, 0.0, q);
+    const auto energy = [&](const Points& there) {
+      return Eigen::VectorXd::Constant(1, bent(fabric, 0.0, there).energy).eval();
+    };
+    const Eigen::VectorXd expected = -slope_of(energy, q, 1e-9).transpose();
+    const double force = fabric.materials[0].bending_rigidity / (2e-3 * 2e-3);
+    EXPECT_LT((here.force.reshaped() - expected).cwiseAbs().maxCoeff(), 1e-6 * force);
+  }
 }
 
 /// Eqs. (17)-(20) as corrected, summed over every pair of beads with no list: V and the closest pair.
