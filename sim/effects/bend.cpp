@@ -11,28 +11,19 @@ Mat3 cross_matrix(const Vec3& a) {
   return m;
 }
 
-/// ½ EI l κ², with κ = |y' × y''| / |y'|³ (Ding et al. 2023, Eqs. 13, 14).
-struct BendLaw {
-  static constexpr bool elastic = true;
-  static constexpr int derivative = 2;
+struct BendEffect {
+  using Slopes = BendLaw;
   std::string_view name() const { return "bend"; }
+  BendLaw slopes(double) const { return {}; }
+  double constant(const Material& yarn) const { return yarn.bending_rigidity; }
 
-  void operator()(const Site& at, Slope& slope, Curvature* curvature, bool convex) const {
-    const double scale = at.yarn->bending_rigidity * at.l;
-    const Vec3 &a = at.dy, &b = at.ddy;
-    const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b);
-    const double area = aa * bb - ab * ab;  // |a × b|²
-    const double p3 = 1 / (aa * aa * aa), p4 = p3 / aa;
-
-    slope.energy = scale * area * p3 / 2;
-    const Vec3 area_a = 2 * (bb * a - ab * b), area_b = 2 * (aa * b - ab * a);
-    slope.dy = scale / 2 * (area_a * p3 - 6 * area * p4 * a);
-    slope.ddy = scale / 2 * area_b * p3;
-    if (!curvature) return;
+  void curvature(const Site<double>& at, Curvature& out, bool convex) const {
+    const double scale = at.constant * at.l;
+    const Vec3 a = to_vec3(at.dy), b = to_vec3(at.ddy);
     if (convex)
-      gauss_newton(scale, a, b, *curvature);
+      gauss_newton(scale, a, b, out);
     else
-      exact(scale, at, *curvature);
+      exact(scale, a, b, out);
   }
 
   /// JᵀJ of the curvature vector a × b / |a|³, of which κ is the length.
@@ -45,8 +36,7 @@ struct BendLaw {
     out.ddy_ddy = scale * by_b.transpose() * by_b;
   }
 
-  static void exact(double scale, const Site& at, Curvature& out) {
-    const Vec3 &a = at.dy, &b = at.ddy;
+  static void exact(double scale, const Vec3& a, const Vec3& b, Curvature& out) {
     const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b), area = aa * bb - ab * ab;
     const double p3 = 1 / (aa * aa * aa), p4 = p3 / aa, p5 = p4 / aa;
     const Mat3 one = Mat3::Identity();
@@ -65,7 +55,7 @@ struct BendLaw {
 }  // namespace
 
 std::unique_ptr<Effect> make(const Bend& spec, Parts& parts) {
-  return std::make_unique<AlongYarn<BendLaw>>(BendLaw{}, parts, spec.nodes, all_segments(parts.fabric));
+  return std::make_unique<AlongYarn<BendEffect>>(BendEffect{}, parts, spec.nodes, all_segments(parts.fabric));
 }
 
 }  // namespace wale
