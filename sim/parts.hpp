@@ -18,11 +18,13 @@ struct Parts {
   const Schedule& tightening;  ///< 0: rest length is Segment::length, 1: Segment::knitted
   const State& start;          ///< where the stage begins
 
-  /// The rest length of a segment at time t, m (Ding et al. 2023, Eq. A.7, segment by segment).
-  double rest_length(int segment, double t) const {
-    const Segment& of = fabric.segment(segment);
-    return of.length + (of.knitted - of.length) * tightening(t);
+  /// The rest length of a segment (Ding et al. 2023, Eq. A.7, segment by segment) where the tightening has come to
+  /// `tightness`, m.
+  static double rest_length(const Segment& of, double tightness) {
+    return of.length + (of.knitted - of.length) * tightness;
   }
+  /// The same at time t.
+  double rest_length(int segment, double t) const { return rest_length(fabric.segment(segment), tightening(t)); }
   /// The contact beads for this sampling and screening, made when first asked for and shared by contact and its
   /// damping.
   std::shared_ptr<Beads> beads(double sampling, double screening);

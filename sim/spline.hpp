@@ -24,7 +24,8 @@ constexpr Basis basis(double s) {
 }
 
 /// Σ weight_k q_(first + k).
-inline Vec3 combine(const Points& q, int first, const std::array<double, 4>& weight) {
+template <class Weights>
+Vec3 combine(const Points& q, int first, const Weights& weight) {
   return weight[0] * q.col(first) + weight[1] * q.col(first + 1) + weight[2] * q.col(first + 2) +
          weight[3] * q.col(first + 3);
 }

@@ -7,174 +7,209 @@
 #include <vector>
 
 #include "sim/effect.hpp"
+#include "sim/effects/segment_blocks.hpp"
+#include "sim/kernels/kernels.hpp"
+#include "sim/kernels/site.hpp"
 #include "sim/parts.hpp"
 #include "sim/spline.hpp"
 
 namespace wale {
-
-/// A quadrature point of a yarn; ' is d/ds.
-struct Site {
-  Vec3 y, dy, ddy, v;
-  double t = 0;
-  double l = 0;   ///< rest length of the segment now, m
-  double l0 = 0;  ///< rest length as laid, m
-  const Material* yarn = nullptr;
-  int segment = 0;
-  int index = 0;  ///< counts the sites of the effect, segment by segment
-};
-
-/// What a law answers, per unit of s: energy and dissipation, and their slopes. Zero at the start.
-struct Slope {
-  double energy = 0, dissipation = 0;
-  Vec3 y = Vec3::Zero(), dy = Vec3::Zero(), ddy = Vec3::Zero(), v = Vec3::Zero();
-};
 
 /// Second slopes. Zero at the start; dy_ddy has dy by rows, ddy by columns.
 struct Curvature {
   Mat3 y_y = Mat3::Zero(), dy_dy = Mat3::Zero(), dy_ddy = Mat3::Zero(), ddy_ddy = Mat3::Zero(), v_v = Mat3::Zero();
 };
 
-/// `curvature` may be null; `convex` asks for a positive semidefinite one.
+inline Vector<double> to_vector(const Vec3& a) { return {a.x(), a.y(), a.z()}; }
+inline Vec3 to_vec3(const Vector<double>& a) { return {a.x, a.y, a.z}; }
+
+/// What an effect along the yarn is: `Slopes` is the law's energy and its slopes, one of those that the force kernels
+/// know; see kernels.hpp. `convex` asks for a positive semidefinite curvature.
 template <class L>
-concept Law = requires(const L& law, const Site& at, Slope& slope, Curvature* curvature, bool convex) {
-  { L::elastic } -> std::convertible_to<bool>;    // true: depends on position; false: on velocity
-  { L::derivative } -> std::convertible_to<int>;  // 0: it depends on y or v alone, 1: on y' alone, 2: on y' and y''
+concept Law = requires(const L& law, double t, const Material& yarn, const Site<double>& at, Curvature& curvature,
+                       bool convex) {
+  { L::Slopes::elastic } -> std::convertible_to<bool>;  // true: depends on position; false: on velocity
+  {
+    L::Slopes::derivative
+    } -> std::convertible_to<int>;  // 0: it depends on y or v alone, 1: on y' alone, 2: on y' and
+                                    // y''
   { law.name() } -> std::convertible_to<std::string_view>;
-  { law(at, slope, curvature, convex) } -> std::same_as<void>;
+  { law.slopes(t) } -> std::convertible_to<typename L::Slopes>;
+  { law.constant(yarn) } -> std::convertible_to<double>;  // Site::constant
+  { law.curvature(at, curvature, convex) } -> std::same_as<void>;
+};
+
+/// Sets Site::reference of a law that keeps something of each site.
+template <class L>
+concept Remembers = requires(const L& law, const Parts& parts, int first_point, const NodeWeights& node) {
+  { law.reference(parts, first_point, node) } -> std::convertible_to<Vec3>;
 };
 
 template <Law L>
 class AlongYarn final : public Effect {
+  using Slopes = typename L::Slopes;
+
  public:
   /// The law at `nodes` Gauss nodes of each of `segments`; the first and the last segment of a yarn take `end_nodes`
   /// if that is more. `parts` must outlive the effect's last use.
-  AlongYarn(L law, const Parts& parts, int nodes, std::vector<int> segments, int end_nodes = 0)
+  AlongYarn(L law, const Parts& parts, int nodes, const std::vector<int>& segments, int end_nodes = 0)
       : law_(std::move(law)),
         parts_(parts),
-        inner_(nodes),
-        end_(std::max(nodes, end_nodes)),
-        segments_(std::move(segments)) {
-    for (const int segment : segments_) {
-      first_site_.push_back(sites_);
-      sites_ += static_cast<int>(rule_of(segment).nodes.size());
+        rules_{Rule(nodes), Rule(std::max(nodes, end_nodes))},
+        blocks_(parts.fabric, segments, end_nodes > nodes) {
+    const std::vector<int>& all = blocks_.segments();
+    for (const int segment : all) {
+      constant_.push_back(law_.constant(parts_.fabric.material_of(segment)));
+      l0_.push_back(parts_.fabric.segment(segment).length);
     }
+    // The kernels read beyond the last segment.
+    constant_.resize(all.size() + block_padding, 1);
+    l0_.resize(all.size() + block_padding, 1);
+    if constexpr (Remembers<L>) remember();
   }
 
   std::string_view name() const override { return law_.name(); }
-  bool dissipative() const override { return !L::elastic; }
+  bool dissipative() const override { return !Slopes::elastic; }
 
   void add(const State& at, Load& out) const override {
-    const std::array<Stiffness*, 2> second{L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
-    std::array<const std::vector<int>*, 2> places{};
-    for (std::size_t m = 0; m < 2; ++m)
-      if (second[m]) places[m] = &places_in(*second[m]);
-    std::vector<Scalars> scalars(segments_.size());
-    // Where two threads meet, both ask the law about the segments that reach across.
-    share_points(static_cast<int>(at.q.cols()), segments_.size() < few, [&](int from, int to) {
-      for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
-        const int first = first_point(i);
-        if (first + 4 <= from || first >= to) continue;
-        const Range mine{std::max(from - first, 0), std::min(to - first, 4)};
-        const Scalars of = add_slopes(at, i, mine, out.force);
-        if (mine.from == 0) scalars[static_cast<std::size_t>(i)] = of;
-        for (std::size_t m = 0; m < 2; ++m)
-          if (second[m]) add_second(at, i, mine, m == 1, *places[m], *second[m]);
-      }
-    });
-    for (const Scalars& of : scalars) {
-      if (out.energy) *out.energy += of.energy;
-      if (out.dissipation) *out.dissipation += of.dissipation;
-    }
+    double* const scalar = Slopes::elastic ? out.energy : out.dissipation;
+    if (scalar || out.force) add_slopes(at, scalar, out.force);
+    add_second(at, Slopes::elastic ? out.stiffness : out.damping, false);
+    if (Slopes::elastic) add_second(at, out.convex, true);
   }
 
  private:
   static constexpr std::size_t few = 256;  // segments for which threads cost more than they save
-  struct Scalars {
-    double energy = 0, dissipation = 0;
+
+  struct Rule {
+    std::vector<NodeWeights> nodes;
+    explicit Rule(int count) {
+      for (const GaussNode& node : gauss(count)) {
+        const Basis b = basis(node.s);
+        NodeWeights& of = nodes.emplace_back();
+        of.weight = node.weight;
+        std::copy(b.value.begin(), b.value.end(), of.value);
+        std::copy(b.first.begin(), b.first.end(), of.first);
+        std::copy(b.second.begin(), b.second.end(), of.second);
+      }
+    }
   };
+
+  int first_point(std::size_t i) const { return parts_.fabric.first_point(blocks_.segments()[i]); }
+  bool is_little() const { return blocks_.segments().size() < few; }
+  const Rule& rule_of(const SegmentBlock& block) const { return rules_[block.at_end]; }
+  std::size_t reference_stride() const { return blocks_.segments().size() + block_padding; }
+  /// Where coordinate c of the reference of a node is kept, by segment.
+  std::size_t reference(std::size_t node, std::size_t c) const { return (3 * node + c) * reference_stride(); }
+
+  void remember() {
+    reference_.resize(3 * rules_[1].nodes.size() * reference_stride());
+    for (const SegmentBlock& block : blocks_.all())
+      for (std::size_t i = block.begin; i < block.end(); ++i)
+        for (std::size_t node = 0; node < rule_of(block).nodes.size(); ++node) {
+          const Vec3 kept = law_.reference(parts_, first_point(i), rule_of(block).nodes[node]);
+          for (std::size_t c = 0; c < 3; ++c) reference_[reference(node, c) + i] = kept[static_cast<Eigen::Index>(c)];
+        }
+  }
+
+  void add_slopes(const State& at, double* scalar, Points* force) const {
+    const Slopes slopes = law_.slopes(at.t);
+    const double tightness = parts_.tightening(at.t);
+    const AlongKernel<Slopes> kernel = kernels().along<Slopes>();
+    std::vector<double> scalars(blocks_.all().size());
+#pragma omp parallel if (!is_little())
+    for (const auto& [first, last] : blocks_.colours()) {
+#pragma omp for schedule(static)
+      for (std::size_t i = first; i < last; ++i)
+        scalars[i] = add_block(slopes, kernel, blocks_.all()[i], at, tightness, force);
+    }
+    if (scalar)
+      for (const double of : scalars) *scalar += of;
+  }
+
+  double add_block(const Slopes& slopes, AlongKernel<Slopes> kernel, const SegmentBlock& of, const State& at,
+                   double tightness, Points* force) const {
+    double l[block_length + block_padding];
+    for (std::size_t i = 0; i < of.count; ++i)
+      l[i] = Parts::rest_length(parts_.fabric.segment(blocks_.segments()[of.begin + i]), tightness);
+    std::fill_n(l + of.count, block_padding, 1.0);
+    const long first = 3 * static_cast<long>(first_point(of.begin));
+    const Rule& rule = rule_of(of);
+    AlongBlock block{.count = static_cast<int>(of.count),
+                     .points = (Slopes::elastic ? at.q : at.v).data() + first,
+                     .force = force ? force->data() + first : nullptr,
+                     .l = l,
+                     .l0 = l0_.data() + of.begin,
+                     .constant = constant_.data() + of.begin,
+                     .reference = Remembers<L> ? reference_.data() + of.begin : nullptr,
+                     .reference_stride = static_cast<long>(reference_stride()),
+                     .nodes = rule.nodes.data(),
+                     .node_count = static_cast<int>(rule.nodes.size())};
+    kernel(slopes, block);
+    return Slopes::elastic ? block.energy : block.dissipation;
+  }
+
+  const std::vector<int>& places_in(Stiffness& matrix) const {
+    return matrix.places(this, 0, [&](std::vector<int>& slots) {
+      for (std::size_t i = 0; i < blocks_.segments().size(); ++i)
+        for (int j = 0; j < 4; ++j) matrix.slots(first_point(i) + j, first_point(i) + j, 4 - j, slots);
+    });
+  }
+
+  Site<double> site(const State& at, std::size_t i, std::size_t node, const Rule& rule) const {
+    const Segment& segment = parts_.fabric.segment(blocks_.segments()[i]);
+    const NodeWeights& of = rule.nodes[node];
+    const int first = first_point(i);
+    Vector<double> kept;
+    if constexpr (Remembers<L>)
+      kept = {reference_[reference(node, 0) + i], reference_[reference(node, 1) + i],
+              reference_[reference(node, 2) + i]};
+    return {to_vector(combine(at.q, first, of.value)),
+            to_vector(combine(at.q, first, of.first)),
+            to_vector(combine(at.q, first, of.second)),
+            to_vector(combine(at.v, first, of.value)),
+            parts_.rest_length(blocks_.segments()[i], at.t),
+            segment.length,
+            constant_[i],
+            kept};
+  }
+
+  void add_second(const State& at, Stiffness* out, bool convex) const {
+    if (!out) return;
+    const std::vector<int>& places = places_in(*out);
+    // Where two threads meet, both ask the law about the segments that reach across.
+    share_points(static_cast<int>(at.q.cols()), is_little(), [&](int from, int to) {
+      for (const SegmentBlock& block : blocks_.all())
+        for (std::size_t i = block.begin; i < block.end(); ++i)
+          if (first_point(i) + 4 > from && first_point(i) < to)
+            add_second(at, i, rule_of(block), {std::max(from - first_point(i), 0), std::min(to - first_point(i), 4)},
+                       convex, places, *out);
+    });
+  }
+
   /// Of the four control points of a segment: those that a thread adds to.
   struct Range {
     int from = 0, to = 0;
   };
 
-  struct Rule {
-    std::span<const GaussNode> nodes;
-    std::vector<Basis> bases;
-    explicit Rule(int count) : nodes(gauss(count)) {
-      for (const GaussNode& node : nodes) bases.push_back(basis(node.s));
-    }
-  };
-
-  int first_point(int i) const { return parts_.fabric.first_point(segments_[static_cast<std::size_t>(i)]); }
-
-  const std::vector<int>& places_in(Stiffness& matrix) const {
-    return matrix.places(this, 0, [&](std::vector<int>& slots) {
-      for (int i = 0; i < static_cast<int>(segments_.size()); ++i)
-        for (int j = 0; j < 4; ++j) matrix.slots(first_point(i) + j, first_point(i) + j, 4 - j, slots);
-    });
-  }
-
-  const Rule& rule_of(int segment) const {
-    const Yarn& yarn = parts_.fabric.yarns[static_cast<std::size_t>(parts_.fabric.segment(segment).yarn)];
-    const int place = segment - yarn.first_segment;
-    return place == 0 || place == yarn.segments - 1 ? end_ : inner_;
-  }
-
-  Site site(const State& at, int i, std::size_t node, const Basis& b) const {
-    const int segment = segments_[static_cast<std::size_t>(i)];
-    const int first = first_point(i);
-    return {combine(at.q, first, b.value),
-            combine(at.q, first, b.first),
-            combine(at.q, first, b.second),
-            combine(at.v, first, b.value),
-            at.t,
-            parts_.rest_length(segment, at.t),
-            parts_.fabric.segment(segment).length,
-            &parts_.fabric.material_of(segment),
-            segment,
-            first_site_[static_cast<std::size_t>(i)] + static_cast<int>(node)};
-  }
-
-  Scalars add_slopes(const State& at, int i, Range mine, Points* force) const {
-    const Rule& rule = rule_of(segments_[static_cast<std::size_t>(i)]);
-    Scalars sum;
-    for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
-      const double w = rule.nodes[node].weight;
-      const Basis& b = rule.bases[node];
-      Slope slope;
-      law_(site(at, i, node, b), slope, nullptr, false);
-      sum.energy += w * slope.energy;
-      sum.dissipation += w * slope.dissipation;
-      if (!force) continue;
-      for (int point = mine.from; point < mine.to; ++point) {
-        const auto k = static_cast<std::size_t>(point);
-        force->col(first_point(i) + point) -=
-            w * (b.value[k] * (slope.y + slope.v) + b.first[k] * slope.dy + b.second[k] * slope.ddy);
-      }
-    }
-    return sum;
-  }
-
-  void add_second(const State& at, int i, Range mine, bool convex, const std::vector<int>& places,
-                  Stiffness& out) const {
+  void add_second(const State& at, std::size_t i, const Rule& rule, Range mine, bool convex,
+                  const std::vector<int>& places, Stiffness& out) const {
     // Blocks (j, k) with j <= k of the segment, row by row: so many lie before each row.
     constexpr std::array<std::size_t, 4> before{0, 4, 7, 9};
-    const Rule& rule = rule_of(segments_[static_cast<std::size_t>(i)]);
     for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
-      const double w = rule.nodes[node].weight;
-      const Basis& b = rule.bases[node];
-      Slope slope;
+      const NodeWeights& b = rule.nodes[node];
+      const double w = b.weight;
       Curvature c;
-      law_(site(at, i, node, b), slope, &c, convex);
+      law_.curvature(site(at, i, node, rule), c, convex);
       for (auto j = static_cast<std::size_t>(mine.from); j < static_cast<std::size_t>(mine.to); ++j) {
-        std::size_t place = static_cast<std::size_t>(i) * 10 + before[j];
-        const Mat3 by_y = w * b.value[j] * (L::elastic ? c.y_y : c.v_v);
+        std::size_t place = i * 10 + before[j];
+        const Mat3 by_y = w * b.value[j] * (Slopes::elastic ? c.y_y : c.v_v);
         const Mat3 by_dy = w * (b.first[j] * c.dy_dy + b.second[j] * c.dy_ddy.transpose());
         const Mat3 by_ddy = w * (b.first[j] * c.dy_ddy + b.second[j] * c.ddy_ddy);
         for (std::size_t k = j; k < 4; ++k, ++place) {
-          if constexpr (L::derivative == 0) out.add_at(places[place], b.value[k] * by_y);
-          if constexpr (L::derivative == 1) out.add_at(places[place], b.first[k] * by_dy);
-          if constexpr (L::derivative == 2) out.add_at(places[place], b.first[k] * by_dy + b.second[k] * by_ddy);
+          if constexpr (Slopes::derivative == 0) out.add_at(places[place], b.value[k] * by_y);
+          if constexpr (Slopes::derivative == 1) out.add_at(places[place], b.first[k] * by_dy);
+          if constexpr (Slopes::derivative == 2) out.add_at(places[place], b.first[k] * by_dy + b.second[k] * by_ddy);
         }
       }
     }
@@ -182,9 +217,10 @@ class AlongYarn final : public Effect {
 
   L law_;
   const Parts& parts_;
-  Rule inner_, end_;
-  std::vector<int> segments_, first_site_;
-  int sites_ = 0;
+  std::array<Rule, 2> rules_;  // of most segments, of the ends of yarns
+  SegmentBlocks blocks_;
+  std::vector<double> constant_, l0_;  // by segment
+  std::vector<double> reference_;      // by node, coordinate and segment
 };
 
 inline std::vector<int> all_segments(const Fabric& fabric) {

@@ -5,12 +5,21 @@
 #include <limits>
 
 #include "sim/effects/grid.hpp"
+#include "sim/kernels/kernels.hpp"
 
 namespace wale {
 namespace {
 
 /// Of the diameter: wide enough that a list lasts for several solver steps, narrow enough that it stays short.
 constexpr double skin_share = 0.4;
+
+/// Ranges of segments: enough for many threads, but not so short that most contacts reach out of them.
+std::vector<int> even_boundaries(int segments) {
+  const int length = std::clamp(segments / 8, 256, 4096), count = std::max(segments / length, 1);
+  std::vector<int> boundaries;
+  for (int i = 0; i <= count; ++i) boundaries.push_back(static_cast<int>(static_cast<long>(segments) * i / count));
+  return boundaries;
+}
 
 }  // namespace
 
@@ -44,54 +53,118 @@ Beads::Beads(const Fabric& fabric, double alpha, double screening) : fabric_(fab
   }
   skin_ = skin_share * widest;
   reach_ = widest + skin_;
+  set_up_kernels();
 }
 
-void Beads::locate(const Points& q) {
-  at_.resize(3, total());
-#pragma omp parallel for schedule(static)
-  for (int i = 0; i < fabric_.segment_count(); ++i)
-    for (int k = 0; k < count(i); ++k)
-      at_.col(first_bead_[index(i)] + k) = combine(q, fabric_.first_point(i), basis_of(i, k).value);
+void Beads::set_up_kernels() {
+  const auto segments = index(fabric_.segment_count()), materials = fabric_.materials.size();
+  stride_ = (bases_.size() - 1 + row_step - 1) / row_step * row_step;
+  boundaries_ = even_boundaries(fabric_.segment_count());
+  rows_.resize(3 * stride_ * segments);
+  arc_rows_.resize(stride_ * segments);
+  weights_.resize(5 * stride_ * bases_.size());
+  spread_weights_.resize(4 * stride_ * bases_.size());
+  for (std::size_t n = 0; n < bases_.size(); ++n) {
+    double* of = weights_.data() + 5 * stride_ * n;
+    for (std::size_t j = 0; j < bases_[n].size(); ++j)
+      for (std::size_t k = 0; k < 4; ++k) {
+        of[k * stride_ + j] = bases_[n][j].value[k];
+        spread_weights_[4 * (stride_ * n + j) + k] = bases_[n][j].value[k];
+      }
+    std::fill(of + 4 * stride_ + bases_[n].size(), of + 5 * stride_, nowhere);
+  }
+  for (int i = 0; i < fabric_.segment_count(); ++i) {
+    first_point_.push_back(fabric_.first_point(i));
+    material_.push_back(fabric_.segment(i).material);
+    for (int k = 0; k < count(i); ++k) arc_rows_[stride_ * index(i) + index(k)] = arc(i, k);
+  }
+  for (std::size_t a = 0; a < materials; ++a)
+    for (std::size_t b = 0; b < materials; ++b) {
+      const double d = (fabric_.materials[a].diameter + fabric_.materials[b].diameter) / 2;
+      diameter_.push_back(d);
+      inverse_square_.push_back(1 / (d * d));
+      screening_length_.push_back(screening_ * d);
+    }
+  index_pairs();
+}
+
+bool Beads::locate(const Points& q) {
+  const bool listed = listed_rows_.size() == rows_.size();
+  // A bead and the image of another come nearer by what both have moved, and by what the periods have.
+  const double may_move = listed ? (skin_ - nearer_by_periods(q)) / 2 : 0;
+  const BeadLocating locating{.rows = rows(),
+                              .q = q.data(),
+                              .first_point = first_point_.data(),
+                              .weights = weights_.data(),
+                              .before = listed ? listed_rows_.data() : nullptr,
+                              .most_moved = may_move > 0 ? may_move * may_move : -1,
+                              .at = rows_.data()};
+  bool near = listed;
+#pragma omp parallel for schedule(static) reduction(&& : near)
+  for (std::size_t i = 1; i < boundaries_.size(); ++i)
+    near = kernels().beads.locate(locating, boundaries_[i - 1], boundaries_[i]) && near;
+  return near;
 }
 
 void Beads::prepare(const Points& q) {
-  locate(q);
-  if (!at_.allFinite()) return;
-  if (!is_listed_still(q)) {
+  if (!locate(q)) {
+    for (const double x : rows_)
+      if (!std::isfinite(x)) return;
+    listed_at_.resize(3, total());
+    for (int i = 0; i < fabric_.segment_count(); ++i)
+      for (int k = 0; k < count(i); ++k) listed_at_.col(first_bead_[index(i)] + k) = position(i, k);
     if (fabric_.cell) find_images(q);
     find_pairs();
-    listed_at_ = at_;
+    index_pairs();
+    listed_rows_ = rows_;
     ++version_;
   }
   if (fabric_.cell) displace_images(q);
-  distance_.resize(pairs_.size());
   double closest = std::numeric_limits<double>::infinity();
-#pragma omp parallel for schedule(static) reduction(min : closest)
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    distance_[p] = distance_between(pairs_[p]);
-    closest = std::min(closest, distance_[p] / diameter(pairs_[p].a, pairs_[p].b));
-  }
-  closest_ = closest;
+  for (int image = 0; image < static_cast<int>(images_.size()); ++image) closest = std::min(closest, measure(image));
+  closest_ = std::sqrt(closest);
 }
 
-bool Beads::is_listed_still(const Points& q) const {
-  if (listed_at_.cols() != at_.cols()) return false;
-  // A bead and the image of another come nearer by what both have moved, and by what the periods have.
-  double moved = 2 * std::sqrt((at_ - listed_at_).colwise().squaredNorm().maxCoeff());
-  if (fabric_.cell) {
-    const Points periods = q.rightCols<2>() - listed_periods_;
-    double furthest = 0;
-    for (const Eigen::Vector2i& image : images_) furthest = std::max(furthest, (periods * image.cast<double>()).norm());
-    moved += furthest;
-  }
-  return moved <= skin_;
+BeadSpreading Beads::spreading() const {
+  return {.stride = static_cast<int>(stride_),
+          .count = bead_count_.data(),
+          .first_point = first_point_.data(),
+          .weights = spread_weights_.data()};
+}
+
+/// The least squared distance over the squared diameter.
+double Beads::measure(int image) {
+  const BeadMeasuring measuring{.rows = rows(),
+                                .displacement = displacements_[index(image)].data(),
+                                .first_pair = first_pairs_of(image),
+                                .partner = partner_.data(),
+                                .near_along = near_along_.data(),
+                                .arc_on = arc_on_.data(),
+                                .material = material_.data(),
+                                .materials = static_cast<int>(fabric_.materials.size()),
+                                .inverse_square = inverse_square_.data(),
+                                .screening_length = screening_length_.data(),
+                                .squared = squared_.data()};
+  double closest = std::numeric_limits<double>::infinity();
+#pragma omp parallel for schedule(static) reduction(min : closest)
+  for (std::size_t i = 1; i < boundaries_.size(); ++i)
+    closest = std::min(closest, kernels().beads.measure(measuring, boundaries_[i - 1], boundaries_[i]));
+  return closest;
+}
+
+double Beads::nearer_by_periods(const Points& q) const {
+  if (!fabric_.cell) return 0;
+  const Points periods = q.rightCols<2>() - listed_periods_;
+  double furthest = 0;
+  for (const Eigen::Vector2i& image : images_) furthest = std::max(furthest, (periods * image.cast<double>()).norm());
+  return furthest;
 }
 
 /// Those that may come within reach; of an image and its opposite, one.
 void Beads::find_images(const Points& q) {
   listed_periods_ = q.rightCols<2>();
   const Vec3 course = listed_periods_.col(0), wale = listed_periods_.col(1);
-  const Vec3 span = at_.rowwise().maxCoeff() - at_.rowwise().minCoeff() + Vec3::Constant(reach_ + skin_);
+  const Vec3 span = listed_at_.rowwise().maxCoeff() - listed_at_.rowwise().minCoeff() + Vec3::Constant(reach_ + skin_);
   images_.assign(1, Eigen::Vector2i::Zero());
   for (int up = 0; up * std::abs(wale.y()) < span.y(); ++up) {
     const double off = up * wale.x() / course.x(), most = span.x() / std::abs(course.x());
@@ -107,7 +180,7 @@ void Beads::displace_images(const Points& q) {
 }
 
 void Beads::find_pairs() {
-  const Grid grid(at_, reach_);
+  const Grid grid(listed_at_, reach_);
   pairs_.clear();
   for (int image = 0; image < static_cast<int>(images_.size()); ++image) {
     find_pairs(image, grid);
@@ -134,28 +207,40 @@ void Beads::find_pairs(int image, const Grid& grid) {
     for (const int b : partners[index(a)]) pairs_.push_back({a, b, image});
 }
 
+void Beads::index_pairs() {
+  first_pair_.assign(images_.size() * (index(fabric_.segment_count()) + 1), 0);
+  partner_.clear();
+  near_along_.clear();
+  arc_on_.clear();
+  for (const SegmentPair& pair : pairs_) {
+    partner_.push_back(pair.b);
+    near_along_.push_back(runs_on(pair) && arc(pair.b, 0) + arc_on(pair) - arc(pair.a, count(pair.a) - 1) <
+                                               screening_length(pair.a, pair.b));
+    arc_on_.push_back(arc_on(pair));
+  }
+  partner_.resize(pairs_.size() + pair_padding);
+  squared_.resize(pairs_.size());
+  std::size_t p = 0;
+  auto first = first_pair_.begin();
+  for (int image = 0; image < static_cast<int>(images_.size()); ++image)
+    for (int a = 0; a <= fabric_.segment_count(); ++a, ++first) {
+      *first = static_cast<std::int32_t>(p);
+      while (p < pairs_.size() && pairs_[p].image == image && pairs_[p].a == a) ++p;
+    }
+}
+
 void Beads::list_gaps(std::vector<Gap>& out) const {
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     const auto [a, b, image] = pairs_[p];
-    out.push_back({a, b, images_[index(image)], distance_[p], diameter(a, b)});
+    out.push_back({a, b, images_[index(image)], distance(p), diameter(a, b)});
   }
 }
 
 bool Beads::is_within_reach(int image, int a, int bead_a, int other) const {
   const SegmentPair pair{a, segment_of_[index(other)], image};
   const double reach = diameter(a, pair.b) + skin_;
-  return (position(a, bead_a) - at_.col(other) - displacement(pair)).squaredNorm() < reach * reach &&
+  return (position(a, bead_a) - listed_at_.col(other) - displacement(pair)).squaredNorm() < reach * reach &&
          !screened(pair, bead_a, other - first_bead_[index(pair.b)]);
-}
-
-double Beads::distance_between(const SegmentPair& pair) const {
-  double closest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < count(pair.a); ++i)
-    for (int j = 0; j < count(pair.b); ++j) {
-      const double squared = (position(pair.a, i) - position(pair.b, j) - displacement(pair)).squaredNorm();
-      if (squared < closest && !screened(pair, i, j)) closest = squared;
-    }
-  return std::sqrt(closest);
 }
 
 }  // namespace wale

@@ -1,9 +1,12 @@
 /// The contact beads along all yarns, and which segments are near enough for their beads to touch.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "sim/effect.hpp"
+#include "sim/kernels/bead_kernels.hpp"
 #include "sim/parts.hpp"
 #include "sim/spline.hpp"
 
@@ -45,40 +48,75 @@ class Beads {
   /// Smallest bead distance over contact diameter at the last prepare().
   double closest() const { return closest_; }
   /// The smallest distance between beads of pairs()[pair] at the last prepare(), m.
-  double distance(std::size_t pair) const { return distance_[pair]; }
+  double distance(std::size_t pair) const { return std::sqrt(squared_distance(pair)); }
+  double squared_distance(std::size_t pair) const { return squared_[pair]; }
   /// Appends pairs() with their distances.
   void list_gaps(std::vector<Gap>& out) const;
   /// Where a bead was at the last prepare(), m.
-  auto position(int segment, int bead) const { return at_.col(first_bead_[index(segment)] + bead); }
+  Vec3 position(int segment, int bead) const {
+    const double* x = rows_.data() + 3 * stride_ * index(segment) + bead;
+    return {x[0], x[stride_], x[2 * stride_]};
+  }
+  /// The same, of all beads.
+  BeadRows rows() const { return {static_cast<int>(stride_), rows_.data(), arc_rows_.data(), bead_count_.data()}; }
+  /// By segment, indices into Fabric::materials.
+  const std::vector<std::int32_t>& materials() const { return material_; }
+  /// For the kernel that carries pushes of beads to the control points; what is pushed, and whereto, is left open.
+  BeadSpreading spreading() const;
+  /// Where the pairs of a segment a with an image begin in pairs(); `segment` may be one behind the last.
+  std::size_t first_pair(int image, int segment) const { return index(first_pairs_of(image)[segment]); }
+
+  /// The segments in ranges [boundaries()[i], boundaries()[i + 1]), which depend on the fabric alone: what is summed
+  /// range by range has the same bits for any number of threads.
+  const std::vector<int>& boundaries() const { return boundaries_; }
 
   int count(int segment) const { return bead_count_[index(segment)]; }
   int total() const { return static_cast<int>(arc_.size()); }
   const Basis& basis_of(int segment, int bead) const { return bases_[index(count(segment))][index(bead)]; }
   /// Beads of one yarn nearer along it than the screening length do not touch (Ding et al. 2023, A.3).
   bool screened(const SegmentPair& pair, int bead_a, int bead_b) const {
-    const auto [a, b, image] = pair;
-    const Eigen::Vector2i& periods = images_[index(image)];
-    if (fabric_.segment(a).yarn != fabric_.segment(b).yarn || periods.y() != 0) return false;
-    const double on = periods.x() * length_of_yarn_[index(fabric_.segment(b).yarn)];
-    return std::abs(arc(b, bead_b) + on - arc(a, bead_a)) < screening_ * diameter(a, b);
+    return runs_on(pair) &&
+           std::abs(arc(pair.b, bead_b) + arc_on(pair) - arc(pair.a, bead_a)) < screening_length(pair.a, pair.b);
   }
+  double screening_length(int a, int b) const { return screening_ * diameter(a, b); }  ///< m
+  /// Whether any two beads of the pair are screened.
+  bool near_along(std::size_t pair) const { return near_along_[pair]; }
+  /// What is added to the arc of b then, m.
+  double arc_on(std::size_t pair) const { return arc_on_[pair]; }
+  /// How far images are displaced at the last prepare(), m.
+  const std::vector<Vec3>& displacements() const { return displacements_; }
   /// Contact diameter of two segments: the mean of both, m.
   double diameter(int a, int b) const {
-    return (fabric_.material_of(a).diameter + fabric_.material_of(b).diameter) / 2;
+    return diameter_[index(material_[index(a)]) * fabric_.materials.size() + index(material_[index(b)])];
   }
   const Fabric& fabric() const { return fabric_; }
 
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+  const std::int32_t* first_pairs_of(int image) const {
+    return first_pair_.data() + index(image) * (index(fabric_.segment_count()) + 1);
+  }
   double arc(int segment, int bead) const { return arc_[index(first_bead_[index(segment)] + bead)]; }
-  void locate(const Points& q);
+  void set_up_kernels();
+  /// Whether the pair, an image of b or not, lies on one yarn.
+  bool runs_on(const SegmentPair& pair) const {
+    return fabric_.segment(pair.a).yarn == fabric_.segment(pair.b).yarn && images_[index(pair.image)].y() == 0;
+  }
+  /// How much further along its yarn the image of b is than b, m.
+  double arc_on(const SegmentPair& pair) const {
+    return images_[index(pair.image)].x() * length_of_yarn_[index(fabric_.segment(pair.b).yarn)];
+  }
+  /// Fills the rows. False if a bead has moved too far since the list was made, or if a number is not finite.
+  bool locate(const Points& q);
+  /// By how much beads and their images may have come nearer since the list was made because the periods changed, m.
+  double nearer_by_periods(const Points& q) const;
+  double measure(int image);
   void find_images(const Points& q);
   void displace_images(const Points& q);
   void find_pairs();
   void find_pairs(int image, const Grid& grid);
-  bool is_listed_still(const Points& q) const;
+  void index_pairs();
   bool is_within_reach(int image, int a, int bead_a, int other) const;  // `other` counts over all segments
-  double distance_between(const SegmentPair&) const;
 
   const Fabric& fabric_;
   double screening_;
@@ -92,12 +130,20 @@ class Beads {
   std::vector<Vec3> displacements_{Vec3::Zero()};  // by image, m
   std::vector<SegmentPair> pairs_;
   std::size_t plain_pairs_ = 0;
-  std::vector<double> distance_;  // by pair, m
-  Points at_;                     // beads now
-  Points listed_at_;              // beads when the list was made
-  Points listed_periods_;         // and both periods; empty if the fabric has none
+  Points listed_at_;       // beads when the list was made
+  Points listed_periods_;  // and both periods; empty if the fabric has none
   double closest_ = 0;
   long version_ = 0;
+
+  // As the kernels want them; see BeadRows, BeadLocating and BeadMeasuring.
+  std::size_t stride_ = 0;
+  std::vector<int> boundaries_;
+  std::vector<double> rows_, listed_rows_, arc_rows_, weights_, spread_weights_;
+  std::vector<std::int32_t> first_point_, material_, partner_;
+  std::vector<std::int32_t> first_pair_;  // by image and segment, with one behind the last
+  std::vector<std::uint8_t> near_along_;
+  std::vector<double> arc_on_, squared_;
+  std::vector<double> diameter_, inverse_square_, screening_length_;  // by both materials
 };
 
 }  // namespace wale

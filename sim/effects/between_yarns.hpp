@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/effects/bead_pushes.hpp"
 #include "sim/effects/beads.hpp"
 
 namespace wale {
@@ -33,6 +34,7 @@ struct Push {
 template <class L>
 concept PairLaw = requires(const L& law, const Touch& touch, Push& push, bool second) {
   { L::elastic } -> std::convertible_to<bool>;
+  { L::by_kernels } -> std::convertible_to<bool>;
   { law.name() } -> std::convertible_to<std::string_view>;
   {
     law.diameter(touch.diameter, 0.0, 0.0)
@@ -40,6 +42,8 @@ concept PairLaw = requires(const L& law, const Touch& touch, Push& push, bool se
   { law(touch, push, second) } -> std::same_as<void>;
 };
 
+/// A law whose `by_kernels` is true is that of the materials, see contact_law.hpp: the force kernels know it, and it is
+/// asked for second slopes only.
 template <PairLaw L>
 class BetweenYarns final : public Effect {
  public:
@@ -59,8 +63,16 @@ class BetweenYarns final : public Effect {
     std::array<const std::vector<int>*, 2> places{};
     for (std::size_t m = 0; m < 2; ++m)
       if (second[m]) places[m] = &places_in(*second[m]);
-    const std::vector<Contact> contacts = touching(at);
+    const std::vector<double> spacing = spacings(at.t);
     const bool blocks_wanted = second[0] || second[1];
+    if constexpr (L::by_kernels) {
+      if (out.energy || out.force)
+        add_pushes(
+            *beads_, [&](int from, int to, std::vector<BeadContact>& some) { list(spacing, from, to, some); }, out);
+      if (!blocks_wanted) return;
+    }
+    std::vector<Contact> contacts;
+    list(spacing, 0, parts_.fabric.segment_count(), contacts);
     const std::size_t batch = blocks_wanted ? std::min(contacts.size(), most_blocks) : contacts.size();
     std::vector<Slopes> slopes(batch);
     std::vector<Blocks> blocks(blocks_wanted ? batch : 0);
@@ -75,7 +87,7 @@ class BetweenYarns final : public Effect {
           push_all(at, some[c], slopes[c], blocks.empty() ? nullptr : &blocks[c], on_b);
         }
       }
-      gather(some, slopes, out);
+      if constexpr (!L::by_kernels) gather(some, slopes, out);
       if (blocks.empty()) continue;
       gather(some, blocks, places, second);
       for (std::size_t m = 0; m < 2; ++m)
@@ -92,10 +104,7 @@ class BetweenYarns final : public Effect {
   using Twin = Eigen::Array<double, 12, 1>;
   /// Blocks (j, k), j <= k, of the eight control points of a pair, row by row.
   using Blocks = std::array<Twin, 36>;
-  struct Contact {
-    std::size_t pair = 0;             // of beads_->pairs()
-    double weight = 0, diameter = 0;  // as in Touch
-  };
+  using Contact = BeadContact;
   struct Slopes {
     double energy = 0, dissipation = 0;
     Quad on_a = Quad::Zero(), on_b = Quad::Zero();
@@ -105,17 +114,51 @@ class BetweenYarns final : public Effect {
 
   static Vec3 velocity_of(const Eigen::Vector2d& image, const State& at) { return at.v.rightCols<2>() * image; }
 
-  /// Most listed pairs do not touch.
-  std::vector<Contact> touching(const State& at) const {
-    std::vector<Contact> result;
-    for (std::size_t p = 0; p < beads_->pairs().size(); ++p) {
-      const auto [a, b, image] = beads_->pairs()[p];
-      const double la = parts_.rest_length(a, at.t) / beads_->count(a);
-      const double lb = parts_.rest_length(b, at.t) / beads_->count(b);
-      const double diameter = law_.diameter(beads_->diameter(a, b), la, lb);
-      if (beads_->distance(p) < diameter) result.push_back({p, la * lb, diameter});
+  /// How far apart beads are on their yarn, by segment, m.
+  std::vector<double> spacings(double t) const {
+    const double tightness = parts_.tightening(t);
+    std::vector<double> spacing;
+    spacing.reserve(parts_.fabric.segments.size());
+    for (int i = 0; i < parts_.fabric.segment_count(); ++i)
+      spacing.push_back(Parts::rest_length(parts_.fabric.segment(i), tightness) / beads_->count(i));
+    return spacing;
+  }
+
+  /// Of the listed pairs of segments a = first ... last - 1, those that touch.
+  void list(const std::vector<double>& spacing, int first, int last, std::vector<Contact>& out) const {
+    const int images = static_cast<int>(beads_->images().size());
+    for (int image = 0; image < images; ++image)
+      list(spacing, beads_->first_pair(image, first), beads_->first_pair(image, last), out);
+  }
+
+  /// The same of pairs begin ... end - 1.
+  void list(const std::vector<double>& spacing, std::size_t begin, std::size_t end, std::vector<Contact>& out) const {
+    const auto spacing_of = [&](int segment) { return spacing[static_cast<std::size_t>(segment)]; };
+    const auto diameter = [&](const SegmentPair& pair) {
+      return law_.diameter(beads_->diameter(pair.a, pair.b), spacing_of(pair.a), spacing_of(pair.b));
+    };
+    // About half of them do: a branch would often be taken wrongly.
+    std::vector<std::size_t> touching(end - begin + 1);
+    std::size_t count = 0;
+    for (std::size_t p = begin; p < end; ++p) {
+      const double d = diameter(beads_->pairs()[p]);
+      touching[count] = p;
+      count += beads_->squared_distance(p) < d * d;
     }
-    return result;
+    out.reserve(out.size() + count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t p = touching[i];
+      const SegmentPair& pair = beads_->pairs()[p];
+      const bool near_along = beads_->near_along(p);
+      out.push_back({.pair = p,
+                     .a = pair.a,
+                     .b = pair.b,
+                     .image = pair.image,
+                     .weight = spacing_of(pair.a) * spacing_of(pair.b),
+                     .diameter = diameter(pair),
+                     .screening_length = near_along ? beads_->screening_length(pair.a, pair.b) : 0,
+                     .arc_on = beads_->arc_on(p)});
+    }
   }
 
   /// `on_b` is working space.
@@ -265,7 +308,7 @@ class BetweenYarns final : public Effect {
 
   int point(const SegmentPair& pair, int k) const { return parts_.fabric.first_point(k < 4 ? pair.a : pair.b) + k % 4; }
 
-  void list(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
+  void list_slots(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
     const int a = point(pair, 0), b = point(pair, 4);
     if (b < a + 4) return list_overlapping(pair, matrix, slots);
     for (int j = 0; j < 4; ++j) {
@@ -286,7 +329,7 @@ class BetweenYarns final : public Effect {
   /// The slots of every listed pair, touching or not, so that the pattern changes only with the list.
   const std::vector<int>& places_in(Stiffness& matrix) const {
     return matrix.places(this, beads_->version(), [&](std::vector<int>& slots) {
-      for (const SegmentPair& pair : beads_->pairs()) list(pair, matrix, slots);
+      for (const SegmentPair& pair : beads_->pairs()) list_slots(pair, matrix, slots);
     });
   }
 

@@ -7,23 +7,20 @@ namespace {
 /// f(|y_a - y_b| / d), Ding et al. 2023, Eqs. (17)-(20).
 struct Repulsion {
   static constexpr bool elastic = true;
+  static constexpr bool by_kernels = true;
   bool inflate = false;
   std::string_view name() const { return "contact"; }
   double diameter(double d, double spacing_a, double spacing_b) const {
     return inflate ? (inflated_diameter(d, spacing_a) + inflated_diameter(d, spacing_b)) / 2 : d;
   }
 
-  void operator()(const Touch& touch, Push& push, bool second) const {
-    const double distance = touch.apart.norm(), d = touch.diameter;
-    const Penalty f = penalty(*touch.a, *touch.b, distance / d);
-    const Vec3 n = touch.apart / distance;
-    push.energy = touch.weight * f.value;
-    push.on_a = -touch.weight * f.first / d * n;
-    if (!second) return;
-    const Mat3 normal = n * n.transpose();
-    push.convex = touch.weight * f.second / (d * d) * normal;
+  void operator()(const Touch& touch, Push& push, bool) const {
+    const double square = touch.diameter * touch.diameter, squared_distance = touch.apart.squaredNorm();
+    const Penalty f = penalty(*touch.a, *touch.b, squared_distance / square);
+    const Mat3 normal = touch.apart * touch.apart.transpose() / squared_distance;
+    push.convex = touch.weight * f.second / square * normal;
     // The push lets the beads slip sideways off each other: negative geometric stiffness.
-    push.stiffness = push.convex + touch.weight * f.first / (d * distance) * (Mat3::Identity() - normal);
+    push.stiffness = push.convex + touch.weight * f.slope / square * (Mat3::Identity() - normal);
   }
 };
 

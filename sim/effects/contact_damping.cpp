@@ -6,6 +6,7 @@ namespace {
 /// k_dt |Δv|² - (k_dt - k_dn)(n·Δv)² where beads overlap (Ding et al. 2023, Eqs. 19, 21); the force has a factor 2.
 struct ViscousTouch {
   static constexpr bool elastic = false;
+  static constexpr bool by_kernels = false;
   double tangential, normal;
   std::string_view name() const { return "contact_damping"; }
   double diameter(double d, double, double) const { return d; }

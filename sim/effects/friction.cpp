@@ -10,6 +10,7 @@ namespace {
 /// 0 to 1 as |v_t| rises to the threshold. N is what the contact law gives for the two beads.
 struct Rubbing {
   static constexpr bool elastic = false;
+  static constexpr bool by_kernels = false;
   double coefficient, threshold;
   std::string_view name() const { return "friction"; }
   double diameter(double d, double, double) const { return d; }
@@ -17,7 +18,8 @@ struct Rubbing {
   void operator()(const Touch& touch, Push& push, bool second) const {
     const double distance = touch.apart.norm();
     const Vec3 n = touch.apart / distance;
-    const double press = -penalty(*touch.a, *touch.b, distance / touch.diameter).first;
+    const double delta = distance / touch.diameter;
+    const double press = -delta * penalty(*touch.a, *touch.b, delta * delta).slope;
     const double most = coefficient * touch.weight * press / touch.diameter;  // µ N
     const Vec3 sliding = touch.velocity - n.dot(touch.velocity) * n;
     const double speed = sliding.norm(), x = std::min(speed / threshold, 1.0);

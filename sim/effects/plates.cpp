@@ -3,28 +3,22 @@
 namespace wale {
 namespace {
 
-/// k_p l0 max(0, |z| - gap/2)².
-struct PlatesLaw {
-  static constexpr bool elastic = true;
-  static constexpr int derivative = 0;
+struct PlatesEffect {
+  using Slopes = PlatesLaw;
   double stiffness, gap;
   std::string_view name() const { return "plates"; }
-
-  void operator()(const Site& at, Slope& slope, Curvature* curvature, bool) const {
-    const double depth = std::abs(at.y.z()) - gap / 2;
-    if (depth <= 0) return;
-    const double k = stiffness * at.l0;
-    slope.energy = k * depth * depth;
-    slope.y.z() = std::copysign(2 * k * depth, at.y.z());
-    if (curvature) curvature->y_y(2, 2) = 2 * k;
+  PlatesLaw slopes(double) const { return {stiffness, gap}; }
+  double constant(const Material&) const { return 0; }
+  void curvature(const Site<double>& at, Curvature& out, bool) const {
+    if (std::abs(at.y.z) > gap / 2) out.y_y(2, 2) = 2 * stiffness * at.l0;
   }
 };
 
 }  // namespace
 
 std::unique_ptr<Effect> make(const Plates& spec, Parts& parts) {
-  return std::make_unique<AlongYarn<PlatesLaw>>(PlatesLaw{spec.stiffness, spec.gap}, parts, 2,
-                                                all_segments(parts.fabric));
+  return std::make_unique<AlongYarn<PlatesEffect>>(PlatesEffect{spec.stiffness, spec.gap}, parts, 2,
+                                                   all_segments(parts.fabric));
 }
 
 }  // namespace wale
