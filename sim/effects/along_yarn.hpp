@@ -47,7 +47,7 @@ template <Law L>
 class AlongYarn final : public Effect {
  public:
   /// The law at `nodes` Gauss nodes of each of `segments`; the first and the last segment of a yarn take `end_nodes`
-  /// if that is more. `parts` must outlive the effect's last use.
+  /// if that is more, but in a periodic fabric, whose yarns have no ends. `parts` must outlive the effect's last use.
   AlongYarn(L law, const Parts& parts, int nodes, std::vector<int> segments, int end_nodes = 0)
       : law_(std::move(law)),
         parts_(parts),
@@ -115,6 +115,7 @@ class AlongYarn final : public Effect {
   }
 
   const Rule& rule_of(int segment) const {
+    if (parts_.fabric.cell) return inner_;
     const Yarn& yarn = parts_.fabric.yarns[static_cast<std::size_t>(parts_.fabric.segment(segment).yarn)];
     const int place = segment - yarn.first_segment;
     return place == 0 || place == yarn.segments - 1 ? end_ : inner_;
