@@ -55,8 +55,7 @@ void StageSetup::guide_periods() {
     if (of.how != Deform::How::driven) return led;
     std::vector<Schedule::Knot> knots;
     const Schedule strain = strain_of(deform, of, stage_.duration);
-    for (const Schedule::Knot& knot : strain.knots())
-      knots.push_back({knot.t, from + knot.value * length});
+    for (const Schedule::Knot& knot : strain.knots()) knots.push_back({knot.t, from + knot.value * length});
     led.length = Schedule(std::move(knots));
     return led;
   };
@@ -173,6 +172,11 @@ void StageSetup::measure_periods(const Points& force, const State& state, std::v
     row.push_back({"stress.wale", "Pa", -on_periods(1, 1) / across});
     row.push_back({"stress.shear", "Pa", -on_periods(0, 1) / across});
   }
+  if (!stage_.pull && !stage_.deform) return;
+  const auto before = start_.q.rightCols<2>();
+  row.push_back({"strain.course", "1", periods(0, 0) / before(0, 0) - 1});
+  row.push_back({"strain.wale", "1", periods(1, 1) / before(1, 1) - 1});
+  row.push_back({"strain.shear", "1", (periods(0, 1) - before(0, 1)) / before(1, 1)});
   if (!stage_.pull) return;
   const bool wale_wise = stage_.pull->along == Along::wale;
   const double pulled = wale_wise ? periods(1, 1) : periods(0, 0),

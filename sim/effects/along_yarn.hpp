@@ -51,12 +51,12 @@ class AlongYarn final : public Effect {
 
  public:
   /// The law at `nodes` Gauss nodes of each of `segments`; the first and the last segment of a yarn take `end_nodes`
-  /// if that is more. `parts` must outlive the effect's last use.
+  /// if that is more, but in a periodic fabric, whose yarns have no ends. `parts` must outlive the effect's last use.
   AlongYarn(L law, const Parts& parts, int nodes, const std::vector<int>& segments, int end_nodes = 0)
       : law_(std::move(law)),
         parts_(parts),
         rules_{Rule(nodes), Rule(std::max(nodes, end_nodes))},
-        blocks_(parts.fabric, segments, end_nodes > nodes) {
+        blocks_(parts.fabric, segments, end_nodes > nodes && !parts.fabric.cell) {
     const std::vector<int>& all = blocks_.segments();
     for (const int segment : all) {
       constant_.push_back(law_.constant(parts_.fabric.material_of(segment)));

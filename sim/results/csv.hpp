@@ -7,7 +7,7 @@
 
 namespace wale {
 
-/// One line a sample of the curve (see pulled_rows()), after a line of names with units:
+/// One line a sample of the curve (see strained_rows()), after a line of names with units:
 /// `strain,stress_MPa,force_N,force_per_wale_N` and then one column `energy_<effect>_J` for every energy that the
 /// pulled stage has. Nine significant digits; `nan` where a number lacks.
 std::string curve_csv(const Results&);

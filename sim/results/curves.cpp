@@ -1,6 +1,7 @@
 #include "sim/results/curves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -38,6 +39,19 @@ Line fit_start(const std::vector<Sample>& samples, double part) {
   return fit(taken);
 }
 
+/// Until the strain first turns back; rounding is no turn.
+std::vector<Sample> first_branch(const std::vector<Sample>& samples) {
+  constexpr double turn = 1e-9;
+  std::size_t last = 0;
+  while (last + 1 < samples.size()) {
+    const double way = samples[last].strain - samples.front().strain;
+    const double step = samples[last + 1].strain - samples[last].strain;
+    if (std::abs(step) > turn && way * step < 0) break;
+    ++last;
+  }
+  return {samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(std::min(last + 1, samples.size()))};
+}
+
 std::vector<double> column(const Table& table, std::string_view name, const std::vector<std::size_t>& rows) {
   const Column* found = table.find(name);
   std::vector<double> values;
@@ -45,25 +59,66 @@ std::vector<double> column(const Table& table, std::string_view name, const std:
   return values;
 }
 
+constexpr std::array parts{"wale", "course", "shear"};
+
+std::string strain_of_part(const char* part) { return std::string("strain.") + part; }
+
+double value(const Table& table, std::string_view name, std::size_t row) {
+  const Column* found = table.find(name);
+  return found ? found->values[row] : unknown;
+}
+
+/// The strain of a pull, or the root of squares of those of a deformation; unknown in a stage without.
+double strain_in(const Table& table, std::size_t row) {
+  const double pulled = value(table, "strain", row);
+  if (!std::isnan(pulled)) return pulled;
+  double square = 0;
+  for (const char* part : parts) square += std::pow(value(table, strain_of_part(part), row), 2);
+  return std::sqrt(square);
+}
+
 }  // namespace
 
-std::vector<std::size_t> pulled_rows(const Table& table) {
-  const Column *strain = table.find("strain"), *stage = table.find("stage");
+std::vector<std::size_t> strained_rows(const Table& table) {
+  const Column* stage = table.find("stage");
   std::vector<std::size_t> rows;
-  if (!strain) return rows;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (std::isnan(strain->values[row])) continue;
+    if (std::isnan(strain_in(table, row))) continue;
     if (stage && !rows.empty() && stage->values[row] != stage->values[rows.back()]) rows.clear();
     rows.push_back(row);
   }
   return rows;
 }
 
+std::optional<std::size_t> most_strained_row(const Table& table) {
+  std::optional<std::size_t> most;
+  for (const std::size_t row : strained_rows(table))
+    if (!most || strain_in(table, row) >= strain_in(table, *most)) most = row;
+  return most;
+}
+
 Curve stress_strain(const Results& results) {
   const Table& table = results.samples;
-  const std::vector<std::size_t> rows = pulled_rows(table);
+  std::vector<std::size_t> rows = strained_rows(table);
+  std::erase_if(rows, [&](std::size_t row) { return std::isnan(value(table, "strain", row)); });
   return {column(table, "strain", rows), column(table, "stress", rows), column(table, "force", rows),
           column(table, "force_per_wale", rows)};
+}
+
+std::vector<LabelledCurve> stress_strain_curves(const Results& results) {
+  Curve pulled = stress_strain(results);
+  if (!pulled.strain.empty()) return {{"", std::move(pulled)}};
+  const Table& table = results.samples;
+  const std::vector<std::size_t> rows = strained_rows(table);
+  std::vector<LabelledCurve> curves;
+  if (rows.empty()) return curves;
+  for (const char* part : parts)
+    curves.push_back({part,
+                      {.strain = column(table, strain_of_part(part), rows),
+                       .stress = column(table, std::string("stress.") + part, rows),
+                       .force = {},
+                       .force_per_wale = {}}});
+  return curves;
 }
 
 Features features(const Curve& curve) {
@@ -72,15 +127,15 @@ Features features(const Curve& curve) {
     if (std::isfinite(curve.strain[i]) && std::isfinite(curve.stress[i]))
       samples.push_back({curve.strain[i], curve.stress[i]});
   if (samples.size() < 2) return {unknown, unknown, unknown};
-  std::stable_sort(samples.begin(), samples.end(),
-                   [](const Sample& a, const Sample& b) { return a.strain < b.strain; });
+  samples = first_branch(samples);
   const double from = samples.front().strain, to = samples.back().strain;
-  const double part = std::min(0.10, (to - from) / 3);
+  const double part = std::min(0.10, std::abs(to - from) / 3);
   const Line first = fit_start(samples, part);
   std::reverse(samples.begin(), samples.end());
   const Line last = fit_start(samples, part);
   const double crossing = (first.offset - last.offset) / (last.slope - first.slope);
-  return {first.slope, crossing >= from && crossing <= to ? crossing : unknown, last.slope};
+  const bool is_within = std::min(from, to) <= crossing && crossing <= std::max(from, to);
+  return {first.slope, is_within ? crossing : unknown, last.slope};
 }
 
 }  // namespace wale

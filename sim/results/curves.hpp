@@ -1,6 +1,8 @@
 /// What is read off a run: the stress-strain curve, its features, and the sizes of a state.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/results/results.hpp"
@@ -15,11 +17,24 @@ struct Curve {
   std::vector<double> force_per_wale;  ///< N
 };
 
-/// Rows of the table that belong to the curve: those with a strain, of the last stage that has any.
-std::vector<std::size_t> pulled_rows(const Table&);
+struct LabelledCurve {
+  std::string label;
+  Curve curve;
+};
 
-/// The columns `strain`, `stress`, `force` and `force_per_wale` of pulled_rows().
+/// Rows of the table that belong to the curve: those of the last stage that pulls or deforms, so that it has a `strain`
+/// or a `strain.*`.
+std::vector<std::size_t> strained_rows(const Table&);
+
+/// Of strained_rows(), the last of those with the greatest strain; of a stage that deforms, of the three strains' root
+/// of squares. Nothing if there are none.
+std::optional<std::size_t> most_strained_row(const Table&);
+
+/// The columns `strain`, `stress`, `force` and `force_per_wale` of strained_rows(); nothing of a stage that deforms.
 Curve stress_strain(const Results&);
+
+/// The same without a label; of a stage that deforms `strain.wale` and `stress.wale`, and likewise course and shear.
+std::vector<LabelledCurve> stress_strain_curves(const Results&);
 
 /// The three numbers that sum up a J-shaped curve; NaN where the curve is too short to say.
 struct Features {
@@ -28,9 +43,10 @@ struct Features {
   double final_stiffness = 0;    ///< Pa: slope of the line fitted to the last part
 };
 
-/// Both lines are least-squares fits of stress over strain: the first up to 0.10 beyond the first strain, the last
-/// from 0.10 before the greatest. On a curve shorter than 0.30 a part is a third of it. A part with fewer than two
-/// samples takes in the nearest ones. Samples without a stress are left out.
+/// Of a pull to and fro, the way to the first turning point is looked at. Both lines are least-squares fits of stress
+/// over strain: the first up to 0.10 beyond the first strain, the last from 0.10 before the last. On a curve shorter
+/// than 0.30 a part is a third of it. A part with fewer than two samples takes in the nearest ones. Samples without a
+/// stress are left out.
 Features features(const Curve&);
 
 /// Sizes of a fabric in the state `q`, m.

@@ -35,9 +35,9 @@ void drop_part(const std::string& path) noexcept {
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
-  open_part(path);
   errno = 0;
   std::ofstream out(part_of(path), std::ios::binary | std::ios::trunc);
+  if (!out) fail("cannot write", path);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   if (!out) {

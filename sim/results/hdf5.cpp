@@ -19,6 +19,22 @@ constexpr const char* fabric_format = "wale fabric 1";
 
 // Each function below describes one group once; an Archive is a Writer of const things or a Reader of things.
 
+/// Both periods, course and wale; a fabric that is not periodic has no such dataset.
+void describe_cell(const Writer& in, const std::optional<PeriodicCell>& cell) {
+  if (!cell) return;
+  Points periods(3, 2);
+  periods << cell->course, cell->wale;
+  in.points("periods", "m", periods);
+}
+
+void describe_cell(const Reader& in, std::optional<PeriodicCell>& cell) {
+  if (!in.group().has("periods")) return;
+  Points periods;
+  in.points("periods", "m", periods);
+  if (periods.cols() != 2) throw std::runtime_error("HDF5 file has a wrong shape of periods");
+  cell = PeriodicCell{periods.col(0), periods.col(1)};
+}
+
 template <class Archive, class AnyFabric>
 void describe_fabric(Archive in, AnyFabric& fabric) {
   auto materials = in.group("materials");
@@ -42,6 +58,7 @@ void describe_fabric(Archive in, AnyFabric& fabric) {
   segments.field("length", "m", fabric.segments, &Segment::length);
   segments.field("knitted", "m", fabric.segments, &Segment::knitted);
   in.points("points", "m", fabric.points);
+  describe_cell(in, fabric.cell);
 }
 
 template <class Archive, class AnyScene>

@@ -6,6 +6,8 @@
 namespace wale::hdf5 {
 namespace {
 
+constexpr std::size_t growth = 1 << 20;  // bytes by which a file in memory grows
+
 void check(herr_t status, const std::string& what) {
   if (status < 0) throw std::runtime_error("HDF5 cannot " + what);
 }
@@ -118,7 +120,9 @@ Quiet::Quiet() {
 Quiet::~Quiet() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
 
 Group Group::create_file(const std::string& path) {
-  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "create the file");
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "create the file");
+  check(H5Pset_fapl_core(access.id(), growth, true), "create the file");
+  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "create the file");
   Handle root(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose, "open the file");
   return {std::move(file), std::move(root)};
 }
@@ -139,6 +143,12 @@ Group Group::create(const std::string& name) const {
 
 Group Group::open(const std::string& name) const {
   return {{}, {H5Gopen2(group_.id(), name.c_str(), H5P_DEFAULT), H5Gclose, "find " + name}};
+}
+
+bool Group::has(const std::string& name) const {
+  const htri_t found = H5Lexists(group_.id(), name.c_str(), H5P_DEFAULT);
+  check(found, "read " + name);
+  return found > 0;
 }
 
 void Group::write(const std::string& name, const std::vector<double>& values, const std::string& unit) const {

@@ -48,6 +48,8 @@ class Quiet {
 /// A group (or a file's root). Every failure is a std::runtime_error that names the dataset or attribute.
 class Group {
  public:
+  /// A file that is in memory until flush(), which writes it as one piece; else there would be a call to the system for
+  /// every dataset and attribute.
   static Group create_file(const std::string& path);
   static Group open_file(const std::string& path);
   /// Writes all that is still in memory.
@@ -57,6 +59,8 @@ class Group {
   Group view() const { return open("."); }
   Group create(const std::string& name) const;
   Group open(const std::string& name) const;
+  /// Whether there is a group or an array of that name.
+  bool has(const std::string& name) const;
 
   /// An array of any rank, row-major, with the attribute `unit` ("" for a plain number). `packed` compresses it.
   void write(const std::string& name, const std::vector<double>& values, const std::string& unit) const;

@@ -24,11 +24,6 @@ struct PictureOptions {
 /// behind. A scale bar in mm; for ColourBy::stretch a colour bar in percent, else the materials' names if several.
 std::string fabric_svg(const Fabric&, const Points& q, const PictureOptions&);
 
-struct LabelledCurve {
-  std::string label;
-  Curve curve;
-};
-
 /// Stress in MPa over strain in percent; without labels there is no key.
 std::string curve_svg(const std::vector<LabelledCurve>&, const std::string& title = "");
 

@@ -11,11 +11,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A stage is told to pull by the scene; a file read back has no stages, and then by its name.
-bool is_pull(const Scene& scene, const std::string& name) {
+/// A stage is told to pull or to deform by the scene; a file read back has no stages, and then by its name.
+bool is_strained(const Scene& scene, const std::string& name) {
   const auto stage =
       std::find_if(scene.stages.begin(), scene.stages.end(), [&](const Stage& each) { return each.name == name; });
-  return stage != scene.stages.end() ? stage->pull.has_value() : name.starts_with("pull");
+  return stage != scene.stages.end() ? stage->pull || stage->deform : name.starts_with("pull");
 }
 
 /// Phases of one name add up: a resumed run has some twice.
@@ -28,7 +28,7 @@ Json wall_seconds(const Results& results) {
     } else if (phase.name == "write") {
       write += phase.seconds;
     } else {
-      (is_pull(results.scene, phase.name) ? solve : prepare) += phase.seconds;
+      (is_strained(results.scene, phase.name) ? solve : prepare) += phase.seconds;
       stages[phase.name] = stages.value(phase.name, 0.0) + phase.seconds;
     }
   }
@@ -58,9 +58,8 @@ Json sizes(const Sizes& relaxed) {
 }
 
 Json curve(const Results& results) {
-  const Curve pulled = stress_strain(results);
-  const Features found = features(pulled);
-  return {{"samples", pulled.strain.size()},
+  const Features found = features(stress_strain(results));
+  return {{"samples", strained_rows(results.samples).size()},
           {"initial_stiffness_Pa", found.initial_stiffness},
           {"transition_strain", found.transition_strain},
           {"final_stiffness_Pa", found.final_stiffness}};

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "sim/results/file.hpp"
+#include "sim/results/shown_fabric.hpp"
 #include "sim/results/stretch_strain.hpp"
 #include "sim/results/vtk_file.hpp"
 #include "sim/spline.hpp"
@@ -187,7 +188,8 @@ void write_frames(const Results& results, const std::string& folder, const VtkOp
     if (i > 0 && snapshot.sample == 0) continue;
     VtkOptions of_snapshot = options;
     of_snapshot.tightening = tightening_at(results.scene, snapshot);
-    write_vtp(results.scene.fabric, snapshot.state.q, (root / frame_name(frames)).string(), of_snapshot);
+    const Fabric shown = shown_fabric(results.scene.fabric, results.scene.gauge, snapshot.state.q);
+    write_vtp(shown, shown.points, (root / frame_name(frames)).string(), of_snapshot);
     list += fmt::format("<DataSet timestep=\"{:.9g}\" part=\"0\" file=\"{}\"/>\n", time, frame_name(frames));
     ++frames;
   }

@@ -30,8 +30,8 @@ std::string vtp(const Fabric&, const Points& q, const VtkOptions& options = {});
 void write_vtp(const Fabric&, const Points& q, const std::string& path, const VtkOptions& options = {});
 
 /// `folder`/frames.pvd, and a file in `folder`/frames for every snapshot but those at the start of a later stage,
-/// which are the end of the one before. Time runs on from stage to stage, s. The rest lengths are those of each
-/// snapshot; `options.tightening` is not used. Throws std::system_error with the path.
+/// which are the end of the one before; see shown_fabric(). Time runs on from stage to stage, s. The rest lengths are
+/// those of each snapshot; `options.tightening` is not used. Throws std::system_error with the path.
 void write_frames(const Results&, const std::string& folder, const VtkOptions& options = {});
 
 }  // namespace wale

@@ -4,6 +4,7 @@
 #include "sim/results/file.hpp"
 #include "sim/results/hdf5.hpp"
 #include "sim/results/picture.hpp"
+#include "sim/results/shown_fabric.hpp"
 #include "sim/results/stretch_strain.hpp"
 #include "sim/results/summary.hpp"
 #include "sim/results/vtk.hpp"
@@ -17,24 +18,26 @@ void write_fabric(const Results& results, const Snapshot& snapshot, ColourBy col
                   const fs::path& path) {
   const Scene& scene = results.scene;
   const PictureOptions options{title, colour, tightening_at(scene, snapshot), {}, 900};
-  write_file(path.string(), fabric_svg(scene.fabric, snapshot.state.q, options));
+  const Fabric shown = shown_fabric(scene.fabric, scene.gauge, snapshot.state.q);
+  write_file(path.string(), fabric_svg(shown, shown.points, options));
 }
 
-/// The state that the first mount or pull begins from, and the last state of a pull; null if there is none.
-struct Shown {
-  const Snapshot *relaxed = nullptr, *pulled = nullptr;
-};
-
-Shown shown(const Results& results) {
-  Shown found;
-  bool gripped = false;
+/// The state that the first stage begins from that mounts, pulls or deforms; the last one if there is none such.
+const Snapshot* relaxed_state(const Results& results) {
+  const Snapshot* relaxed = nullptr;
   for (const Snapshot& snapshot : results.snapshots) {
     const Stage& stage = results.scene.stages[static_cast<std::size_t>(snapshot.stage)];
-    if (!gripped) found.relaxed = &snapshot;
-    gripped = gripped || stage.mount || stage.pull;
-    if (stage.pull && snapshot.sample != 0) found.pulled = &snapshot;
+    relaxed = &snapshot;
+    if (stage.mount || stage.pull || stage.deform) break;
   }
-  return found;
+  return relaxed;
+}
+
+/// The most strained state of the last stage that pulls or deforms; null if there is none but its start.
+const Snapshot* pulled_state(const Results& results) {
+  const std::optional<std::size_t> row = most_strained_row(results.samples);
+  if (!row || *row >= results.snapshots.size() || results.snapshots[*row].sample == 0) return nullptr;
+  return &results.snapshots[*row];
 }
 
 }  // namespace
@@ -58,13 +61,12 @@ void write_tables(const Results& results, const fs::path& folder) {
 
 void write_pictures(const Results& results, const fs::path& folder) {
   const std::string& name = results.scene.name;
-  const Shown states = shown(results);
-  if (states.relaxed)
-    write_fabric(results, *states.relaxed, ColourBy::material, name + ", relaxed", folder / "fabric_relaxed.svg");
-  if (states.pulled)
-    write_fabric(results, *states.pulled, ColourBy::stretch, name + ", pulled", folder / "fabric_pulled.svg");
-  const Curve curve = stress_strain(results);
-  if (!curve.strain.empty()) write_file((folder / "curve.svg").string(), curve_svg({{"", curve}}, name));
+  if (const Snapshot* relaxed = relaxed_state(results))
+    write_fabric(results, *relaxed, ColourBy::material, name + ", relaxed", folder / "fabric_relaxed.svg");
+  if (const Snapshot* pulled = pulled_state(results))
+    write_fabric(results, *pulled, ColourBy::stretch, name + ", pulled", folder / "fabric_pulled.svg");
+  const std::vector<LabelledCurve> curves = stress_strain_curves(results);
+  if (!curves.empty()) write_file((folder / "curve.svg").string(), curve_svg(curves, name));
   write_frames(results, folder.string());
 }
 

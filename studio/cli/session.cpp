@@ -10,6 +10,7 @@
 
 #include "compiler/compile.hpp"
 #include "sim/results/hdf5.hpp"
+#include "sim/world.hpp"
 #include "studio/cli/complain.hpp"
 #include "studio/cli/input.hpp"
 #include "studio/cli/report.hpp"
@@ -33,7 +34,9 @@ bool same_fabric(const Fabric& a, const Fabric& b) {
   constexpr double tolerance = 1e-9;  // m
   if (a.materials != b.materials || a.yarns.size() != b.yarns.size() || a.segments.size() != b.segments.size())
     return false;
-  return a.points.cols() == b.points.cols() && (a.points - b.points).norm() < tolerance;
+  if (a.cell.has_value() != b.cell.has_value()) return false;
+  const Points p = at_rest(a).q, q = at_rest(b).q;
+  return p.cols() == q.cols() && (p - q).norm() < tolerance;
 }
 
 }  // namespace

@@ -14,19 +14,23 @@
 namespace wale {
 namespace {
 
+/// Of a pull its curve, of a deformation one object for each direction.
 std::string curve_json(const Results& results) {
-  const Curve curve = stress_strain(results);
-  const nlohmann::ordered_json object = {{"complete", results.complete},
-                                         {"strain", curve.strain},
-                                         {"stress_Pa", curve.stress},
-                                         {"force_N", curve.force},
-                                         {"force_per_wale_N", curve.force_per_wale}};
+  nlohmann::ordered_json object{{"complete", results.complete}};
+  for (const auto& [label, curve] : stress_strain_curves(results)) {
+    nlohmann::ordered_json& in = label.empty() ? object : object[label];
+    in["strain"] = curve.strain;
+    in["stress_Pa"] = curve.stress;
+    if (!label.empty()) continue;
+    in["force_N"] = curve.force;
+    in["force_per_wale_N"] = curve.force_per_wale;
+  }
   return object.dump(2) + "\n";
 }
 
 int curve(const std::string& folder, bool json) {
   const Results results = read_hdf5((std::filesystem::path(folder) / results_name).string());
-  if (pulled_rows(results.samples).empty()) return complain(folder, "nothing was pulled in this run");
+  if (strained_rows(results.samples).empty()) return complain(folder, "nothing was pulled or deformed in this run");
   fmt::print("{}", json ? curve_json(results) : curve_csv(results));
   return success;
 }

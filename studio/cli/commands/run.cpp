@@ -1,7 +1,9 @@
 #include <fmt/core.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "sim/results/summary.hpp"
 #include "studio/cli/closing.hpp"
@@ -16,6 +18,11 @@
 namespace wale {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+// A program that is killed loses no more than this; one that is interrupted saves first, and loses nothing.
+constexpr std::chrono::seconds between_saves{1};
+
 struct RunCommand {
   std::string scene, out, resume;
   bool progress = false, json = false;
@@ -28,7 +35,12 @@ Outcome simulate(Results& results, const std::filesystem::path& folder, bool pro
   double writing = 0;
   RunOptions options;
   options.progress = [&](const RunStatus& status) { bar.show(status); };
-  options.save = [&](const Results& so_far) { writing += seconds_of([&] { write_snapshots(so_far, folder); }); };
+  std::optional<Clock::time_point> saved;
+  options.save = [&](const Results& so_far) {
+    if (saved && Clock::now() - *saved < between_saves) return;
+    writing += seconds_of([&] { write_snapshots(so_far, folder); });
+    saved = Clock::now();
+  };
   options.interrupt = &interrupt;
   const Outcome outcome = run(results, options);
   if (outcome != Outcome::interrupted) writing += seconds_of([&] { write_pictures(results, folder); });

@@ -1,0 +1,231 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "sim/effects/beads.hpp"
+#include "sim/tile.hpp"
+#include "sim/world.hpp"
+#include "tests/support/cells.hpp"
+#include "tests/support/finite_difference.hpp"
+#include "tests/support/make_fabric.hpp"
+#include "tests/support/one_thread.hpp"
+
+namespace wale {
+namespace {
+
+// Of the yarn as laid: then loops press on each other as in a tight fabric.
+constexpr double shrinkage = 0.66;
+
+/// A repeat whose control points and periods are moved a little out of every symmetry; its wale period leads to the
+/// repeat `lean` places to the right of the one above, which is as good a description of the same fabric.
+struct Cell {
+  Fabric fabric;
+  Ties ties;
+  Points free;  ///< the columns that move by themselves, the two periods last
+
+  explicit Cell(const std::vector<std::string>& picture, int lean = 0)
+      : fabric(compile_repeat(picture, 9).fabric), ties(fabric) {
+    const Points q = shrinkage * points_and_periods(fabric);
+    free.resize(3, ties.free_columns());
+    // From behind, so that what follows a column is overwritten by it.
+    for (int i = 0; i < ties.columns(); ++i)
+      free.col(ties.free_column(ties.columns() - 1 - i)) = q.col(ties.columns() - 1 - i);
+    shake(free, 0.02e-3, 3);
+    free.rightCols<1>() += lean * free.rightCols<2>().col(0);
+  }
+  Points q() const { return ties.spread(free); }
+};
+
+State state_of(const Points& q, const Points& v) { return {.t = 0, .q = q, .v = v, .step = 0}; }
+
+/// One effect alone, its force on what may move, and its potential: energy, or dissipation if it is of velocity.
+class Alone {
+ public:
+  Alone(const Cell& cell, const EffectSpec& spec)
+      : cell_(cell), world_(cell.fabric, {spec}, Schedule(1.0), at_rest(cell.fabric)) {}
+
+  double potential(const Points& free, const Points& velocity) {
+    double energy = 0, dissipation = 0;
+    evaluate(free, velocity, {.energy = &energy, .dissipation = &dissipation});
+    return energy + dissipation;
+  }
+  Points force(const Points& free, const Points& velocity) {
+    Points force;
+    evaluate(free, velocity, {.force = &force});
+    return cell_.ties.gather(force);
+  }
+  Eigen::MatrixXd second(const Points& free, const Points& velocity, bool elastic) {
+    Stiffness by_all(cell_.ties.columns()), by_free(cell_.ties.free_columns());
+    Load load;
+    (elastic ? load.stiffness : load.damping) = &by_all;
+    evaluate(free, velocity, load);
+    cell_.ties.gather(by_all, by_free);
+    return dense(by_free);
+  }
+
+ private:
+  void evaluate(const Points& free, const Points& velocity, Load load) {
+    const State at = state_of(cell_.ties.spread(free), cell_.ties.spread(velocity));
+    world_.prepare(at);
+    world_.evaluate(at, load);
+  }
+  const Cell& cell_;
+  World world_;
+};
+
+const std::vector<std::vector<std::string>> repeats{{"k"}, {"p", "k"}, {"kp", "pk"}};
+
+double largest(const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().maxCoeff(); }
+
+/// How many pairs of segments touch, by periods between them.
+std::map<std::pair<int, int>, int> touching(const Cell& cell) {
+  Beads beads(cell.fabric, 0.03, 1.6);
+  beads.prepare(cell.q());
+  EXPECT_GT(beads.closest(), 0.3);
+  std::map<std::pair<int, int>, int> count;
+  for (std::size_t p = 0; p < beads.pairs().size(); ++p) {
+    const auto& [a, b, image] = beads.pairs()[p];
+    const Eigen::Vector2i& by = beads.images()[static_cast<std::size_t>(image)];
+    count[{by.x(), by.y()}] += beads.distance(p) < beads.diameter(a, b);
+  }
+  return count;
+}
+
+TEST(PeriodicCell, TouchesItselfAcrossBothPeriodsAndDiagonally) {
+  const OneThread one;
+  auto straight = touching(Cell({"k"})), right = touching(Cell({"k"}, 1)), left = touching(Cell({"k"}, -1));
+  EXPECT_GT((straight[{1, 0}]), 0);
+  EXPECT_GT((straight[{0, 1}]), 0);
+  EXPECT_GT((right[{-1, 1}]), 0);
+  EXPECT_GT((left[{1, 1}]), 0);
+}
+
+/// By the control points and by the two periods.
+TEST(PeriodicCell, HasTheSlopesOfItsEnergyByAllThatMayMove) {
+  const OneThread one;
+  for (const auto& picture : repeats)
+    for (const EffectSpec& spec : std::vector<EffectSpec>{Stretch{}, Bend{}, Contact{}}) {
+      SCOPED_TRACE(picture[0] + " " + std::to_string(spec.index()));
+      const Cell cell(picture, 1);
+      const Points still = Points::Zero(3, cell.free.cols());
+      Alone alone(cell, spec);
+      const Eigen::VectorXd force = alone.force(cell.free, still).reshaped();
+      const Eigen::MatrixXd by_energy = slope_of(
+          [&](const Points& x) { return Eigen::VectorXd::Constant(1, alone.potential(x, still)); }, cell.free, 1e-8);
+      EXPECT_LT(largest(by_energy.transpose() + force), 1e-6 * largest(force));
+      const Eigen::MatrixXd stiffness = alone.second(cell.free, still, true);
+      const Eigen::MatrixXd by_force = slope_of(
+          [&](const Points& x) -> Eigen::VectorXd { return alone.force(x, still).reshaped(); }, cell.free, 1e-8);
+      EXPECT_LT(largest(by_force + stiffness), 1e-5 * largest(stiffness));
+      EXPECT_GT(largest(stiffness.rightCols(6)), 0) << "nothing depends on the periods";
+    }
+}
+
+TEST(PeriodicCell, RubsAsItsPeriodsMove) {
+  const OneThread one;
+  for (const auto& picture : repeats)
+    for (const double threshold : {1.0, 1e-2}) {
+      SCOPED_TRACE(picture[0] + " " + std::to_string(threshold));
+      const Cell cell(picture, -1);
+      Points velocity = Points::Zero(3, cell.free.cols());
+      shake(velocity, 0.1, 8);
+      Alone alone(cell, Friction{.threshold = threshold});
+      const Eigen::VectorXd force = alone.force(cell.free, velocity).reshaped();
+      const Eigen::MatrixXd by_loss = slope_of(
+          [&](const Points& v) { return Eigen::VectorXd::Constant(1, alone.potential(cell.free, v)); }, velocity, 1e-5);
+      EXPECT_LT(largest(by_loss.transpose() + force), 1e-6 * largest(force));
+      const Eigen::MatrixXd damping = alone.second(cell.free, velocity, false);
+      const Eigen::MatrixXd by_force = slope_of(
+          [&](const Points& v) -> Eigen::VectorXd { return alone.force(cell.free, v).reshaped(); }, velocity, 1e-5);
+      EXPECT_LT(largest(by_force + damping), 1e-5 * largest(damping));
+      EXPECT_GT(largest(damping.rightCols(6)), 0) << "nothing depends on how the periods move";
+    }
+}
+
+struct Told {
+  std::array<double, 3> energies{};
+  Points force;  ///< on what may move
+};
+
+Told told(const Cell& cell, const Points& free) {
+  const Points q = cell.ties.spread(free);
+  const State at = state_of(q, Points::Zero(3, q.cols()));
+  World world(cell.fabric, {Stretch{}, Bend{}, Contact{}}, Schedule(1.0), at);
+  world.prepare(at);
+  Told all;
+  Points force = Points::Zero(3, q.cols());
+  for (std::size_t i = 0; i < 3; ++i) {
+    Load load{.energy = &all.energies[i], .force = &force};
+    world.effects()[i]->add(at, load);
+  }
+  all.force = cell.ties.gather(force);
+  return all;
+}
+
+void expect_same(const Told& a, const Told& b) {
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.energies[i], b.energies[i], 1e-11 * b.energies[i]);
+  EXPECT_LT(largest(a.force - b.force), 1e-10 * largest(b.force));
+}
+
+TEST(PeriodicCell, IsTheSameWhereverItLies) {
+  const Cell cell({"kp", "pk"});
+  Points moved = cell.free;
+  moved.leftCols(moved.cols() - 2).colwise() += Vec3(7e-3, -3e-3, 0.4e-3);
+  expect_same(told(cell, moved), told(cell, cell.free));
+}
+
+/// A point that is said to be a period further stays behind when the period grows: what it bears is taken from that of
+/// the period.
+TEST(PeriodicCell, IsTheSameIfACourseIsAWholePeriodFurther) {
+  const Cell cell({"kp", "pk"});
+  const Eigen::Index course = cell.free.cols() - 2;
+  const Yarn& yarn = cell.fabric.yarns[1];
+  const int first = cell.ties.free_column(yarn.first_point);
+  for (const int by : {1, -1}) {
+    Points moved = cell.free;
+    moved.middleCols(first, yarn.segments).colwise() += by * Vec3(cell.free.col(course));
+    Told expected = told(cell, cell.free);
+    expected.force.col(course) -= by * expected.force.middleCols(first, yarn.segments).rowwise().sum();
+    expect_same(told(cell, moved), expected);
+  }
+}
+
+TEST(PeriodicCell, IsTheSameIfItsWalePeriodLeadsFurther) {
+  const Cell cell({"kp", "pk"});
+  const Eigen::Index course = cell.free.cols() - 2;
+  for (const int by : {1, -1}) {
+    Points leaning = cell.free;
+    leaning.col(course + 1) += by * cell.free.col(course);
+    Told expected = told(cell, cell.free);
+    expected.force.col(course) -= by * expected.force.col(course + 1);
+    expect_same(told(cell, leaning), expected);
+  }
+}
+
+/// Segments are alike, but for the stitch they belong to.
+TEST(PeriodicCell, IsTheSameWhereverACourseBegins) {
+  const Cell cell({"kk", "kk"});
+  const Eigen::Index course = cell.free.cols() - 2;
+  const Told before = told(cell, cell.free);
+  for (const int later : {1, 9, 13}) {
+    SCOPED_TRACE(later);
+    Points moved = cell.free;
+    Told expected = before;
+    for (const Yarn& yarn : cell.fabric.yarns) {
+      const int first = cell.ties.free_column(yarn.first_point);
+      for (int k = 0; k < yarn.segments; ++k) {
+        const int from = first + (k + later) % yarn.segments;
+        moved.col(first + k) = cell.free.col(from);
+        expected.force.col(first + k) = before.force.col(from);
+        if (k + later < yarn.segments) continue;
+        moved.col(first + k) += cell.free.col(course);
+        expected.force.col(course) -= before.force.col(from);
+      }
+    }
+    expect_same(told(cell, moved), expected);
+  }
+}
+
+}  // namespace
+}  // namespace wale
