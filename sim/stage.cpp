@@ -55,8 +55,7 @@ void StageSetup::guide_periods() {
     if (of.how != Deform::How::driven) return led;
     std::vector<Schedule::Knot> knots;
     const Schedule strain = strain_of(deform, of, stage_.duration);
-    for (const Schedule::Knot& knot : strain.knots())
-      knots.push_back({knot.t, from + knot.value * length});
+    for (const Schedule::Knot& knot : strain.knots()) knots.push_back({knot.t, from + knot.value * length});
     led.length = Schedule(std::move(knots));
     return led;
   };
@@ -124,7 +123,7 @@ void StageSetup::pull_ends() {
 
 std::unique_ptr<World> StageSetup::world() const {
   auto world = std::make_unique<World>(scene_.fabric, effects_, tightening_, start_, scene_.clamps,
-                                       std::holds_alternative<QuasiStatic>(stage_.solver));
+                                       !std::holds_alternative<RungeKutta>(stage_.solver));
   world->guide(guide_);
   return world;
 }
