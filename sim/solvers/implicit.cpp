@@ -143,18 +143,24 @@ class ImplicitSolver final : public Solver {
                     most_of_newton * diameter_);
   }
 
-  /// At most 1 for a step that may be kept. The error of stiff motion, which the method damps, is damped in its
-  /// estimate as well, with the last factor at hand.
+  /// Multiplies positions and velocities by (I - θJ)⁻¹, with the last factor at hand.
+  void damp(Points& q, Points& v, double time) const {
+    Eigen::VectorXd x = increment_.impulse(q, v).reshaped();
+    equilibrium_.precondition(x);
+    v = (x.reshaped(3, q.cols()) - q) / time;
+    q = x.reshaped(3, q.cols());
+  }
+
+  /// At most 1 for a step that may be kept. Stiff motion, which the method damps, is damped in the estimate as well:
+  /// the first time in the positions, which then stand in the velocities over the time, so a second time.
   double scaled_error(double h) const {
     const auto estimate = [&](const Points& one, const Points& two, const Points& three) {
       return Points(h * (error_weights[0] * one + error_weights[1] * two + error_weights[2] * three));
     };
-    const Points q = estimate(begin_.at.v, middle_.at.v, end_.at.v), v = estimate(begin_.a, middle_.a, end_.a);
-    Eigen::VectorXd x = increment_.impulse(q, v).reshaped();
-    equilibrium_.precondition(x);
-    const Points way = x.reshaped(3, q.cols());
+    Points q = estimate(begin_.at.v, middle_.at.v, end_.at.v), v = estimate(begin_.a, middle_.a, end_.a);
+    for (int times = 0; times < 2; ++times) damp(q, v, d * h);
     const double speed = std::max(rms(begin_.at.v), rms(end_.at.v));
-    return std::max(rms(way) / allowed_way(speed, h), rms((way - q) / (d * h)) / allowed_speed(speed));
+    return std::max(rms(q) / allowed_way(speed, h), rms(v) / allowed_speed(speed));
   }
 
   /// Moves nothing by more than a hundredth of the diameter.
