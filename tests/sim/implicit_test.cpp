@@ -24,17 +24,18 @@ void expect_same_bits(const State& a, const State& b) {
   EXPECT_EQ(a.step, b.step);
 }
 
-/// A yarn pinned at one end swings under its weight; it is soft, so that its fastest modes are slow.
+/// A yarn pinned at one end swings like a pendulum; a soft one has no fast modes.
 struct Swing {
   OneThread one_thread;
   Fabric fabric;
   std::unique_ptr<World> world;
-  explicit Swing(double axial_stiffness, std::vector<EffectSpec> more = {}) {
+  Swing(double axial_stiffness, double bending_rigidity, const Vec3& gravity,
+        const std::vector<EffectSpec>& more = {}) {
     Material soft;
     soft.axial_stiffness = axial_stiffness;
-    soft.bending_rigidity = 1e-10;
+    soft.bending_rigidity = bending_rigidity;
     fabric = straight_rod(0.02, 6, soft);
-    std::vector<EffectSpec> effects{Stretch{}, Bend{}, Gravity{}};
+    std::vector<EffectSpec> effects{Stretch{}, Bend{}, Gravity{gravity}};
     effects.insert(effects.end(), more.begin(), more.end());
     world = std::make_unique<World>(fabric, effects, 0.0, at_rest(fabric), std::vector<Clamp>{{.yarn = 0}}, true);
   }
@@ -64,14 +65,13 @@ double distance(const State& a, const State& b) {
 }
 
 TEST(Implicit, IsOfOrderTwo) {
-  const Swing of(0.05, {Drag{.coefficient = 1e-4}});
+  const Swing of(0.05, 1e-10, {0, -9.81, 0}, {Drag{.coefficient = 1e-4}});
   const double until = 0.02;
   const State exact = exactly(*of.world, of.start(), until);
   const Ladder ladder = climb(until / 64, 4, [&](double h) {
     const State end = even_steps(*of.world, of.start(), until, static_cast<int>(std::lround(until / h)));
     return distance(end, exact) + 1e-3 * (end.v - exact.v).norm();
   });
-  std::cout << ladder.print();
   EXPECT_NEAR(ladder.order(), 2, 0.15) << ladder.print();
 }
 
@@ -91,24 +91,22 @@ TEST(Implicit, DampsStiffMotionInOneStep) {
     return potential + world.mass().kinetic_energy(at.v);
   };
   const State end = one_step(world, start, 1e4 / slowest);
-  std::cout << "slowest " << slowest << " energy left " << energy(end) / energy(start) << "\n";
   EXPECT_LT(energy(end), 1e-6 * energy(start));
 }
 
+/// An error of h³ a step is held, so one of h² is left at the end: the power 2/3 of the tolerance.
 TEST(Implicit, HasAnErrorThatFollowsItsTolerance) {
-  const Swing of(0.5);
-  const double until = 0.03;
+  const Swing of(0.05, 1e-10, {0, -9.81, 0});
+  const double until = 0.02;
   const State exact = exactly(*of.world, of.start(), until);
   const double way = distance(exact, of.start());
-  double before = 0;
+  double before = 1;
   for (const double relative : {1e-2, 1e-3, 1e-4, 1e-5}) {
     const Implicit spec{.relative = relative, .absolute = 1e-3 * relative, .absolute_speed = 0.1 * relative};
     const auto solver = make(spec, *of.world, of.start());
     const double error = distance(run_to(*solver, until), exact) / way;
-    std::cout << relative << " error " << error << " accepted " << solver->effort().accepted << " rejected "
-              << solver->effort().rejected << " evaluations " << solver->effort().evaluations << "\n";
-    EXPECT_LT(error, 20 * relative);
-    if (before > 0) EXPECT_LT(error, 0.5 * before);
+    EXPECT_LT(error, 0.2 * std::pow(relative, 2.0 / 3));
+    EXPECT_LT(error, before);
     before = error;
   }
 }
@@ -117,13 +115,10 @@ TEST(Implicit, HasAnErrorThatFollowsItsTolerance) {
 TEST(Implicit, IsNotHeldUpByStiffModes) {
   std::vector<long> steps;
   for (const double axial_stiffness : {0.5, 5.0, 68.1}) {
-    const Swing of(axial_stiffness);
+    const Swing of(axial_stiffness, 1e-9, {8.5, -4.9, 0});
     const auto solver = make(Implicit{}, *of.world, of.start());
     run_to(*solver, 0.05);
     steps.push_back(solver->effort().accepted + solver->effort().rejected);
-    std::cout << axial_stiffness << " accepted " << solver->effort().accepted << " rejected "
-              << solver->effort().rejected << " evaluations " << solver->effort().evaluations << " factors "
-              << solver->effort().factorizations << "\n";
   }
   EXPECT_LT(steps[2], 2 * steps[0]);
 }
@@ -133,7 +128,8 @@ struct Scuffle {
   OneThread one_thread;
   Fabric fabric = crossing_yarns(ContactLaw::barrier, 21);
   World world{fabric,
-              {Stretch{}, Bend{}, Drag{}, Contact{}, ContactDamping{.tangential = 5, .normal = 40}, Friction{}},
+              {Stretch{}, Bend{}, Drag{}, Contact{}, ContactDamping{.tangential = 5, .normal = 40},
+               Friction{.threshold = 1e-3}},
               Schedule(0.0),
               at_rest(fabric),
               {},
@@ -167,7 +163,7 @@ TEST(Implicit, NeverPassesTheEndItIsGivenAndKeepsItsStepThere) {
 }
 
 TEST(Implicit, InterpolatesWithinItsLastStep) {
-  const Swing of(0.5);
+  const Swing of(0.5, 1e-9, {8.5, -4.9, 0});
   const auto solver = make(Implicit{.relative = 1e-4}, *of.world, of.start());
   for (int i = 0; i < 30; ++i) solver->advance(1);
   const State end = solver->state();
@@ -184,7 +180,7 @@ TEST(Implicit, GivesTheSameBitsForTwoThreads) {
   std::vector<State> ends;
   for (const int threads : {1, 2}) {
     omp_set_num_threads(threads);
-    World world(fabric, {Stretch{}, Bend{}, Contact{}, Friction{}}, 0.0, at_rest(fabric), {}, true);
+    World world(fabric, {Stretch{}, Bend{}, Contact{}, Friction{.threshold = 1e-3}}, 0.0, at_rest(fabric), {}, true);
     const auto solver = make(Implicit{}, world, at_rest(fabric));
     for (int i = 0; i < 3; ++i) ASSERT_EQ(solver->advance(1), Progress::stepped) << solver->effort().failure;
     ends.push_back(solver->state());
