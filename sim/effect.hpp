@@ -22,7 +22,7 @@ struct Load {
   Points* force = nullptr;         ///< -dV/dq - dD/dv, N, 3 x M
   Stiffness* stiffness = nullptr;  ///< second derivative of V by q, N/m
   Stiffness* damping = nullptr;    ///< second derivative of D by v, N s/m
-  double* dissipation = nullptr;   ///< D, W: the Rayleigh function; power lost is 2 D
+  double* dissipation = nullptr;   ///< D, W: the Rayleigh function; power lost is 2 D, if that is quadratic
   Stiffness* convex = nullptr;     ///< the stiffness less all that could make it indefinite (Gauss-Newton), N/m
 };
 

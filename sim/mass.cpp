@@ -77,6 +77,13 @@ Points Mass::times(const Points& v) const {
   return product;
 }
 
+void Mass::add_to(Stiffness& K) const {
+  for (const Band& yarn : yarns_)
+    for (int j = 0; j < yarn.matrix.cols(); ++j)
+      for (int k = 0; k < yarn.matrix.rows() && j + k < yarn.matrix.cols(); ++k)
+        K.add(yarn.first_point + j, yarn.first_point + j + k, yarn.matrix(k, j) * Mat3::Identity());
+}
+
 double Mass::kinetic_energy(const Points& v) const { return 0.5 * v.cwiseProduct(times(v)).sum(); }
 
 }  // namespace wale

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/fabric.hpp"
+#include "sim/stiffness.hpp"
 
 namespace wale {
 
@@ -20,6 +21,8 @@ class Mass {
   void solve(Points& b) const;
   /// M v.
   Points times(const Points& v) const;
+  /// K += M, in kg.
+  void add_to(Stiffness& K) const;
   /// ½ v·M v, J.
   double kinetic_energy(const Points& v) const;
 

@@ -21,6 +21,7 @@ QuasiStatic timed(QuasiStatic spec, double duration) {
   return spec;
 }
 RungeKutta timed(const RungeKutta& spec, double) { return spec; }
+Implicit timed(const Implicit& spec, double) { return spec; }
 
 /// Runs one scene into one Results, from wherever its snapshots end.
 class Run {

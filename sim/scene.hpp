@@ -95,6 +95,15 @@ struct RungeKutta {
   double absolute = 1e-8;  ///< m, and m/s for velocities
   double first_step = 0;   ///< s; 0: Hairer's choice
 };
+/// Motion by TR-BDF2 (Bank et al. 1985), implicit, L-stable and of order two, with steps by its error (Hosea & Shampine
+/// 1996): stiff motion that has died away does not bound the step.
+struct Implicit {
+  double relative = 1e-3;        ///< error a step: of velocities over the speed, of positions over the way gone
+  double absolute = 1e-7;        ///< m, an error of positions that is always small enough
+  double absolute_speed = 1e-4;  ///< m/s, one of velocities
+  double first_step = 0;         ///< s; 0: by the acceleration at the start
+  int iterations = 30;           ///< of Newton's method; a step that needs more is halved
+};
 /// Equilibrium after equilibrium, by a trust-region Newton method on the energy.
 struct QuasiStatic {
   double tolerance = 0.02;      ///< largest residual force on a control point, over the yarn's bending force EI/d²
@@ -102,7 +111,7 @@ struct QuasiStatic {
   double first_step = 0;        ///< share of the stage; 0: from sample to sample
   double smallest_step = 1e-3;  ///< share of the stage: below this the solve has failed
 };
-using SolverSpec = std::variant<QuasiStatic, RungeKutta>;
+using SolverSpec = std::variant<QuasiStatic, RungeKutta, Implicit>;
 
 enum class Along : std::uint8_t { wale, course };
 

@@ -32,6 +32,8 @@ class Solver {
 
 /// `world` must outlive the solver.
 std::unique_ptr<Solver> make(const RungeKutta&, World& world, State);
+/// `world` must be lagged if anything in it depends on velocity, and its fabric not periodic.
+std::unique_ptr<Solver> make(const Implicit&, World& world, State);
 /// The steps of the spec are taken as seconds.
 std::unique_ptr<Solver> make(const QuasiStatic&, World& world, State);
 

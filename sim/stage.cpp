@@ -123,7 +123,7 @@ void StageSetup::pull_ends() {
 
 std::unique_ptr<World> StageSetup::world() const {
   auto world = std::make_unique<World>(scene_.fabric, effects_, tightening_, start_, scene_.clamps,
-                                       std::holds_alternative<QuasiStatic>(stage_.solver));
+                                       !std::holds_alternative<RungeKutta>(stage_.solver));
   world->guide(guide_);
   return world;
 }

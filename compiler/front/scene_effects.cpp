@@ -151,6 +151,35 @@ RungeKutta read_runge_kutta(const YamlNode& node, Diagnostics& say) {
   return spec;
 }
 
+Implicit read_implicit(const YamlNode& node, Diagnostics& say) {
+  Implicit spec;
+  const Settings settings(node, "implicit", {"relative", "absolute", "absolute_speed", "first_step", "iterations"},
+                          say);
+  settings.quantity("relative", dimensions::ratio, tolerances, spec.relative);
+  settings.quantity("absolute", dimensions::length, {1e-15, 1e-2}, spec.absolute);
+  settings.quantity("absolute_speed", dimensions::speed, {1e-12, 100}, spec.absolute_speed);
+  settings.quantity("first_step", dimensions::time, {0, 1e3}, spec.first_step);
+  settings.count("iterations", 1, 1'000'000, spec.iterations);
+  return spec;
+}
+
+/// One word, or a map with settings.
+struct SolverReader {
+  std::string_view key;
+  SolverSpec (*read)(const YamlNode&, Diagnostics&);
+};
+
+template <auto read>
+SolverSpec as_solver(const YamlNode& node, Diagnostics& say) {
+  return read(node, say);
+}
+
+constexpr SolverReader solver_readers[] = {
+    {"quasi_static", as_solver<read_quasi_static>},
+    {"runge_kutta", as_solver<read_runge_kutta>},
+    {"implicit", as_solver<read_implicit>},
+};
+
 struct EffectReader {
   std::string_view key;
   EffectSpec (*read)(const YamlNode&, Diagnostics&);
@@ -206,20 +235,29 @@ void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& 
   }
 }
 
-SolverSpec read_solver(const YamlNode& node, Diagnostics& say) {
-  const std::vector<std::string_view> keys{"quasi_static", "runge_kutta"};
+SolverSpec read_solver(const YamlNode& node, bool periodic, Diagnostics& say) {
+  std::vector<std::string_view> keys;
+  for (const SolverReader& reader : solver_readers) keys.push_back(reader.key);
   const YamlNode defaults;
+  const SolverReader* chosen = nullptr;
+  const YamlNode *settings = &defaults, *named = &node;
   if (node.kind == YamlNode::Kind::scalar) {
-    const auto word = read_word(node, "the solver", keys, say);
-    return word.value_or(0) == 0 ? SolverSpec(QuasiStatic{}) : SolverSpec(RungeKutta{});
+    if (const auto word = read_word(node, "the solver", keys, say)) chosen = &solver_readers[*word];
+  } else {
+    const Fields fields(node, "the solver", keys, say);
+    for (const SolverReader& reader : solver_readers) {
+      const YamlNode* given = fields.find(reader.key);
+      if (!given) continue;
+      if (chosen) say.error("S004", node.entries[1].span, "a stage has one solver", "keep one of them");
+      chosen = &reader;
+      settings = named = given;
+    }
   }
-  const Fields fields(node, "the solver", keys, say);
-  if (node.entries.size() > 1 && fields.find(keys[0]) && fields.find(keys[1])) {
-    say.error("S004", node.entries[1].span, "a stage has one solver", "keep `quasi_static` or `runge_kutta`");
-  }
-  if (const YamlNode* explicit_solver = fields.find("runge_kutta")) return read_runge_kutta(*explicit_solver, say);
-  const YamlNode* given = fields.find("quasi_static");
-  return read_quasi_static(given ? *given : defaults, say);
+  if (!chosen) return QuasiStatic{};
+  if (periodic && chosen != &solver_readers[0])
+    say.error("S010", named->span, fmt::format("\"{}\" is for swatches, and this fabric is periodic", chosen->key),
+              "leave it out: the periods of an endless fabric have no mass, so it goes from equilibrium to equilibrium");
+  return chosen->read(*settings, say);
 }
 
 }  // namespace wale

@@ -15,8 +15,8 @@ void read_fabric(const YamlNode&, ParsedScene&, Diagnostics&);
 /// Adds what `node` names to `effects`; one that is there already is replaced. Of a periodic fabric those are refused
 /// that act on ends or need something to hold it.
 void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& effects, Diagnostics&);
-/// `quasi_static` or `runge_kutta`, alone or as a map with settings.
-SolverSpec read_solver(const YamlNode&, Diagnostics&);
+/// `quasi_static`, `runge_kutta` or `implicit`, alone or as a map with settings. Of a periodic fabric only the first.
+SolverSpec read_solver(const YamlNode&, bool periodic, Diagnostics&);
 /// `pull`: a direction and a strain, or several. Nothing if it is no map.
 std::optional<Pull> read_pull(const YamlNode&, bool periodic, Diagnostics&);
 /// `deform`: what becomes of both periods and their shear.

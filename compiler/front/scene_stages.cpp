@@ -51,7 +51,7 @@ class StageReader {
       stage_.grip_stiffness = value.value_or(stage_.grip_stiffness);
     }
     if (const YamlNode* effects = fields_.find("effects")) read_effects(*effects, periodic_, stage_.effects, say_);
-    if (const YamlNode* solver = fields_.find("solver")) stage_.solver = read_solver(*solver, say_);
+    if (const YamlNode* solver = fields_.find("solver")) stage_.solver = read_solver(*solver, periodic_, say_);
     check_sense();
     check_suits_fabric();
     return stage_;

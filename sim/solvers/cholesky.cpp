@@ -26,6 +26,8 @@ struct Cholesky::Work {
 Cholesky::Cholesky() : work_(std::make_unique<Work>()) {}
 Cholesky::~Cholesky() = default;
 
+void Cholesky::forget() { work_ = std::make_unique<Work>(); }
+
 bool Cholesky::factor(const Stiffness& K, double shift) {
   auto& [common, matrix, factor, right, solution, y, e] = *work_;
   const bool is_new_pattern = matrix.update(K);

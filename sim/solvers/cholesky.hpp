@@ -18,6 +18,8 @@ class Cholesky {
 
   /// Factors K + shift I. False if that is not positive definite.
   [[nodiscard]] bool factor(const Stiffness& K, double shift);
+  /// Drops the symbolic factor: what comes next depends on nothing that came before.
+  void forget();
   /// x := (K + shift I)⁻¹ x, after factor() answered true.
   void solve(Eigen::VectorXd& x) const;
 

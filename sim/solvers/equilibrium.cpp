@@ -104,7 +104,8 @@ double Equilibrium::evaluate(const State& at, Points* force, Effort& effort) {
 
 bool Equilibrium::factor(const State& at, Effort& effort) {
   ++effort.factorizations;
-  const double shift = residual_ / (reach_when_free * thickness_);
+  // Inertia holds what is free as well, and to add to it would give or take momentum.
+  const double shift = increment_.has_inertia() ? 0 : residual_ / (reach_when_free * thickness_);
   increment_.second(at, leeway_, shift, exact_, convex_);
   return cholesky_.factor(convex_, 0);
 }
@@ -176,7 +177,7 @@ void Equilibrium::correct(Trial& trial, double tolerance, Effort& effort) {
   }
 }
 
-Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int iterations, Effort& effort) {
+Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int iterations, Effort& effort) {
   Trial now{state, 0, {}};
   now.energy = evaluate(state, &now.force, effort);
   if (!std::isfinite(now.energy)) return Answer::gave_up;
@@ -184,7 +185,8 @@ Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int itera
   bool factored = false;
   for (int i = 0; i < iterations; ++i) {
     residual_ = furthest(now.force.reshaped());
-    if (residual_ < tolerance) return Answer::found;
+    if (!now.force.allFinite()) return Answer::gave_up;
+    if (residual_ < goal.residual) return Answer::found;
     if (world_.interrupted()) return Answer::gave_up;
     if (!factored) {
       look_around(now.state);
@@ -192,8 +194,12 @@ Equilibrium::Answer Equilibrium::relax(State& state, double tolerance, int itera
       factored = true;
     }
     const Step step = downhill(now.force);
+    if (!step.limited && furthest(step.move) < goal.move) {
+      state.q += increment_.spread(step.move.reshaped(3, step.move.size() / 3));
+      return Answer::found;
+    }
     Trial trial = attempt(now.state, step.move, effort);
-    if (std::isfinite(trial.energy)) correct(trial, tolerance, effort);
+    if (std::isfinite(trial.energy)) correct(trial, goal.residual, effort);
     const double gain = (now.energy - trial.energy) / step.promised;
     // Below the rounding of the energy only the force can tell.
     const bool drowned = step.promised < 1e-12 * std::abs(now.energy);

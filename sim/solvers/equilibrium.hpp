@@ -18,12 +18,21 @@ class Equilibrium {
   /// `increment` must outlive it.
   explicit Equilibrium(Increment& increment);
 
+  /// When to stop: at the first of both that is met.
+  struct Goal {
+    double residual = 0;  ///< the largest residual force on a control point, N
+    double move = 0;      ///< how far a whole Newton step moves any of them, m
+  };
   enum class Answer { found, gave_up };
-  /// Moves `state.q` until the largest residual force on a control point is below `tolerance`, N.
-  Answer relax(State& state, double tolerance, int iterations, Effort& effort);
+  /// Moves `state.q` until the goal is met.
+  Answer relax(State& state, const Goal& goal, int iterations, Effort& effort);
 
   /// Moves `state` along `move`, no further than neighbours may at once and no yarn passes through another.
   void follow(State& state, const Points& move);
+  /// x := K⁻¹ x with the last factor of relax(), under the constraints.
+  void precondition(Eigen::VectorXd& x) const;
+  /// Lets the next relax() depend on nothing that came before, so that a state taken up again leads to the same bits.
+  void forget() { cholesky_.forget(); }
   /// The largest residual force after relax(), N.
   double residual() const { return residual_; }
 
@@ -49,7 +58,6 @@ class Equilibrium {
   double share(const Eigen::VectorXd& move) const;
   double steps_to_edge(const Eigen::VectorXd& move, const Eigen::VectorXd& along) const;
   void release(Points& force) const;  // takes out what the clamps bear
-  void precondition(Eigen::VectorXd& x) const;
 
   Increment& increment_;
   World& world_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/solvers/hermite.hpp"
+
 namespace wale {
 
 ExplicitStepper::ExplicitStepper(const Tableau& tableau, RateFunction f, double t, Eigen::VectorXd y)
@@ -38,8 +40,8 @@ void ExplicitStepper::accept() {
 Eigen::VectorXd ExplicitStepper::at(double t) const {
   const double h = t_ - last_t_;
   if (h <= 0 || t >= t_) return y_;
-  const double s = std::max(0.0, (t - last_t_) / h), r = 1 - s;
-  return r * r * (1 + 2 * s) * last_y_ + s * s * (3 - 2 * s) * y_ + h * s * r * (r * last_rate_ - s * rate());
+  const HermiteWeights w = hermite(std::max(0.0, (t - last_t_) / h), h);
+  return w.first * last_y_ + w.last * y_ + w.first_rate * last_rate_ + w.last_rate * rate();
 }
 
 }  // namespace wale

@@ -10,21 +10,27 @@ constexpr double held_stiffness = 1e3;  // N/m, of what does not move and feels 
 Increment::Increment(World& world)
     : world_(world),
       dissipates_(world.dissipates()),
+      mass_(world.ties().columns()),
       damping_(world.ties().columns()),
       exact_(world.ties().columns()),
       convex_(world.ties().columns()) {}
 
-void Increment::begin(const State& from, double time) {
-  if (!dissipates_) return;
-  from_ = from;
+void Increment::begin(const State& from, double time) { begin(from, time, from.q, {}); }
+
+void Increment::begin(const State& lagged, double time, Points from, Points coasting) {
   time_ = time;
-  world_.prepare(from, Acting::dissipative);
+  from_ = std::move(from);
+  coasting_ = std::move(coasting);
+  if (has_inertia() && mass_.slots() == 0) world_.mass().add_to(mass_);
+  if (!dissipates_) return;
+  lagged_ = lagged;
+  world_.prepare(lagged, Acting::dissipative);
 }
 
-/// Where the step began, at the velocity that leads to `at`.
+/// Where dissipation is looked at, at the velocity that leads to `at`.
 State Increment::moving(const State& at) const {
-  State state = from_;
-  state.v = (at.q - from_.q) / time_;
+  State state = lagged_;
+  state.v = (at.q - from_) / time_;
   return state;
 }
 
@@ -40,6 +46,12 @@ double Increment::value(const State& at, Points* force) {
     world_.evaluate(moving(at), loss, Acting::dissipative);
     if (force) *force += drag;
     energy += time_ * dissipation;
+  }
+  if (has_inertia()) {
+    const Points acceleration = (at.q - coasting_) / (time_ * time_);
+    const Points inertia = world_.mass().times(acceleration);
+    energy += time_ * time_ / 2 * acceleration.cwiseProduct(inertia).sum();
+    if (force) *force -= inertia;
   }
   if (force && !world_.ties().empty()) {
     *force = world_.ties().gather(*force);
@@ -59,11 +71,24 @@ void Increment::second(const State& at, const Leeway& leeway, double shift, Stif
     all_exact.add(damping_, 1 / time_);
     all_convex.add(damping_, 1 / time_);
   }
+  if (has_inertia()) {
+    all_exact.add(mass_, 1 / (time_ * time_));
+    all_convex.add(mass_, 1 / (time_ * time_));
+  }
+  if (shift == 0) return;
   leeway.add_to(all_exact, shift);
   leeway.add_to(all_convex, shift);
   if (!periodic) return;
   gather(exact_, exact);
   gather(convex_, convex);
+}
+
+Points Increment::impulse(const Points& a, const Points& b) const {
+  Points sum = world_.mass().times(a + time_ * b) / (time_ * time_);
+  if (!dissipates_) return sum;
+  Eigen::VectorXd drag;
+  damping_.multiply(a.reshaped(), drag);
+  return sum + drag.reshaped(3, a.cols()) / time_;
 }
 
 /// By what may move; a period that may not is left with a stiffness of its own.

@@ -6,16 +6,22 @@
 
 namespace wale {
 
-/// Φ(q) = V(q) + θ D(q0; (q - q0)/θ), where q0 is where the step began and θ how long it takes. That its slope is zero
-/// is the balance of forces at the end of the step. D has its normal forces and directions from q0: lagged, so that
-/// there is an energy to be made least (Li et al. 2020, "Incremental potential contact").
+/// Φ(q) = V(q) + θ D(qD; (q - q0)/θ) + ½ (q - q1)·M (q - q1)/θ², where the velocity at the end is (q - q0)/θ, the
+/// acceleration (q - q1)/θ², and θ how long the step takes. That its slope is zero is the balance of forces there. D
+/// has its normal forces and directions from an earlier qD: lagged, so that there is an energy to be made least (Li et
+/// al. 2020, "Incremental potential contact"). A quasi-static step has qD = q0 and no last term.
 class Increment {
  public:
   /// `world` must outlive it, and be lagged if anything in it depends on velocity.
   explicit Increment(World& world);
 
-  /// A step from `from` that takes `time`, s.
+  /// A quasi-static step from `from` that takes `time`, s.
   void begin(const State& from, double time);
+  /// Where a motion would be after `time` s at its old velocity (`coasting`, q1), and where it would be at none
+  /// (`from`, q0); 3 x M. `lagged` is qD. Not of a periodic fabric.
+  void begin(const State& lagged, double time, Points from, Points coasting);
+  /// Whether the last begin() was of a motion.
+  bool has_inertia() const { return coasting_.size() > 0; }
   /// Brings caches up to date for V at `at`.
   void prepare(const State& at) { world_.prepare(at, Acting::elastic); }
   /// Φ, J; and the force -dΦ/dx, N, if it is wanted, on what may move: 3 x points(). Prepares.
@@ -23,6 +29,10 @@ class Increment {
   /// The second derivative of Φ by what may move, N/m, and its part that is positive semidefinite for sure, at the last
   /// state prepared; both with Levenberg's shift against the motion of neighbours.
   void second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness& convex);
+
+  /// The right side of second() x = impulse(a, b) that has x = (I - θJ)⁻¹ (a, b), its positions, where J is the
+  /// Jacobian of the motion and (a, b) are positions and velocities.
+  Points impulse(const Points& a, const Points& b) const;
 
   /// Columns of what may move: the control points, or those of a periodic fabric that do not follow others, and its
   /// periods.
@@ -37,8 +47,10 @@ class Increment {
 
   World& world_;
   bool dissipates_;
-  State from_;
+  State lagged_;              // qD
+  Points from_, coasting_;    // q0, q1; the latter empty without inertia
   double time_ = 1;           // θ, s
+  Stiffness mass_;            // kg; empty without inertia
   Stiffness damping_;         // second derivative of D by velocity
   Stiffness exact_, convex_;  // by all columns, of a periodic fabric
 };

@@ -30,7 +30,7 @@ class QuasiStaticSolver final : public Solver {
       const double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
       increment_.begin(state_, target - state_.t);
       State next = guess(target);
-      if (equilibrium_.relax(next, tolerance_, spec_.iterations, effort_) == Equilibrium::Answer::found)
+      if (equilibrium_.relax(next, {.residual = tolerance_}, spec_.iterations, effort_) == Equilibrium::Answer::found)
         return accept(std::move(next), until);
       if (world_.interrupted()) return Progress::stepped;
       ++effort_.rejected;

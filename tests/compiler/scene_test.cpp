@@ -166,6 +166,30 @@ TEST(Scene, HasDefaultsForWhatItDoesNotSay) {
   EXPECT_TRUE(std::holds_alternative<RungeKutta>(scene->stages[0].solver));
 }
 
+TEST(Scene, MayFollowTheMotionImplicitly) {
+  Sources sources;
+  const auto scene = parse(sources, R"(scene: 1
+fabric: {pattern: a.yaml}
+effects: {stretch: , friction: {coefficient: 0.2, threshold: 0.1 mm/s}}
+solver: implicit
+stages:
+  - {name: drop, duration: 1 s}
+  - name: snap
+    duration: 1 s
+    solver: {implicit: {relative: 1e-4, absolute: 1 nm, absolute_speed: 1 mm/s, first_step: 1 us, iterations: 9}}
+)");
+  ASSERT_TRUE(scene);
+  EXPECT_DOUBLE_EQ(std::get<Implicit>(scene->stages[0].solver).relative, Implicit{}.relative);
+  const auto& implicit = std::get<Implicit>(scene->stages[1].solver);
+  EXPECT_DOUBLE_EQ(implicit.relative, 1e-4);
+  EXPECT_DOUBLE_EQ(implicit.absolute, 1e-9);
+  EXPECT_DOUBLE_EQ(implicit.absolute_speed, 1e-3);
+  EXPECT_DOUBLE_EQ(implicit.first_step, 1e-6);
+  EXPECT_EQ(implicit.iterations, 9);
+  EXPECT_DOUBLE_EQ(find<Friction>(scene->stages[0].effects)->coefficient, 0.2);
+  EXPECT_DOUBLE_EQ(find<Friction>(scene->stages[0].effects)->threshold, 1e-4);
+}
+
 TEST(Scene, MayGiveStitchLengthsBySettingAsAMapOrAsTheCommandLineDoes) {
   for (const char* lengths : {"{otherwise: 9 mm, 6: 9.5 mm, 25/40: 8 mm}", "\"9 mm, 6 = 9.5 mm, 25/40 = 8 mm\""}) {
     Sources sources;

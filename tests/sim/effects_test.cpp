@@ -20,6 +20,8 @@ struct Case {
   bool internal = true;   ///< yarns act on yarns only: forces sum to zero
   bool no_torque = true;  ///< for an internal effect: torques too
   bool exact_is_convex = false;
+  bool viscous = true;              ///< dissipation is quadratic in the velocity
+  double damping_tolerance = 1e-9;  ///< of the damping by differences, over its largest entry
 };
 
 /// Where every effect of the list is asked: rest lengths half tightened, a tether half way.
@@ -50,8 +52,10 @@ std::vector<Case> cases() {
       // Sliding beads rub where their centres are, not where they touch: a couple is left over.
       {"ContactDamping", ContactDamping{.tangential = 5, .normal = 40}, barrier, false, true, false, true},
       {"NormalContactDamping", ContactDamping{.normal = 40}, barrier, false, true, true, true},
-      {"StickingFriction", Friction{.coefficient = 0.4, .threshold = 1}, barrier, false, true, false, true},
-      {"SlidingFriction", Friction{.coefficient = 0.4, .threshold = 1e-3}, core_shell, false, true, false, true},
+      {"StickingFriction", Friction{.coefficient = 0.4, .threshold = 1}, barrier, false, true, false, true, false},
+      // Its direction turns quickly where two beads hardly slide.
+      {"SlidingFriction", Friction{.coefficient = 0.4, .threshold = 1e-3}, core_shell, false, true, false, true, false,
+       1e-7},
       {"Tether", moving, barrier, true, false, false, true},
       {"Knots", knots},
       {"Plates", Plates{.gap = 0.2e-3}, barrier, true, false, false, true},
@@ -172,10 +176,12 @@ TEST_P(EveryEffect, HasADampingThatIsTheSlopeOfItsForceByVelocity) {
         -slope_of([&](const Points& v) { return force_at(*b->effect, b->at, nullptr, &v).reshaped().eval(); }, b->at.v,
                   small_speed);
     EXPECT_EQ(expected.cwiseAbs().maxCoeff() > 0, !GetParam().elastic);
-    EXPECT_LE((damping - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());
+    EXPECT_LE((damping - expected).cwiseAbs().maxCoeff(),
+              GetParam().damping_tolerance * expected.cwiseAbs().maxCoeff());
   }
 }
 
+/// Friction loses twice its dissipation while it sticks, and as much as that once it slides.
 TEST_P(EveryEffect, LosesTwiceItsDissipationAndNeverGains) {
   for (const unsigned seed : seeds) {
     const auto b = small(seed);
@@ -183,7 +189,9 @@ TEST_P(EveryEffect, LosesTwiceItsDissipationAndNeverGains) {
     EXPECT_EQ(answer.dissipation > 0, !GetParam().elastic);
     if (GetParam().elastic) continue;
     EXPECT_EQ(answer.energy, 0);
-    EXPECT_NEAR(answer.force.cwiseProduct(b->at.v).sum(), -2 * answer.dissipation, 1e-12 * answer.dissipation);
+    const double lost = -answer.force.cwiseProduct(b->at.v).sum();
+    EXPECT_LE(lost, (2 + 1e-12) * answer.dissipation);
+    EXPECT_GE(lost, (GetParam().viscous ? 2 - 1e-12 : 1) * answer.dissipation);
   }
 }
 

@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/solvers/equilibrium.hpp"
+#include "sim/solvers/hermite.hpp"
+#include "sim/solvers/step_control.hpp"
+
+namespace wale {
+namespace {
+
+// TR-BDF2 as a Runge-Kutta method (Hosea & Shampine 1996): the trapezoidal rule to γ h, then a backward difference.
+// Rows of stages: 0; d, d; w, w, d. The last is b.
+constexpr double gamma = 2 - std::numbers::sqrt2, d = gamma / 2, w = std::numbers::sqrt2 / 4;
+// b̂ - b, where b̂ is of order three.
+constexpr double error_weights[] = {(1 - 4 * w) / 3, 1.0 / 3, -2 * d / 3};
+constexpr int error_order = 2;
+// Newton's error that is let pass, over the error that a step may have. Its last move overrates it a hundredfold.
+constexpr double share_of_newton = 0.3;
+constexpr double most_of_newton = 1e-2;  // of the diameter: too little to pass through a yarn
+constexpr double smallest_step = 1e-13;  // s, a thousandth of what explicit methods take for the stiffest yarn
+
+double rms(const Points& x) {
+  return std::sqrt(x.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, x.cols())));
+}
+
+/// Follows the motion in steps each of which makes two increments least.
+class ImplicitSolver final : public Solver {
+ public:
+  ImplicitSolver(const Implicit& spec, World& world, State start)
+      : spec_(spec),
+        world_(world),
+        increment_(world),
+        equilibrium_(increment_),
+        state_(std::move(start)),
+        before_(state_) {
+    diameter_ = world.fabric().materials.front().diameter;
+    for (const Material& material : world.fabric().materials) diameter_ = std::min(diameter_, material.diameter);
+  }
+
+  Progress advance(double until) override {
+    if (state_.t >= until) return Progress::arrived;
+    equilibrium_.forget();
+    world_.accelerate(state_, begin_.a);
+    ++effort_.evaluations;
+    if (!begin_.a.allFinite()) return fail("the forces are not finite");
+    begin_.at = state_;
+    if (!(state_.step > 0)) state_.step = spec_.first_step > 0 ? spec_.first_step : first_step();
+    double largest_factor = 3;
+    while (true) {
+      // A step that would leave less than a hundredth of itself goes all the way.
+      const bool last = state_.t + 1.01 * state_.step >= until;
+      if (!last && state_.step <= smallest_step) return fail("the time step shrank to nothing");
+      const double to = last ? until : state_.t + state_.step, h = to - state_.t;
+      const bool found = attempt(to);
+      if (world_.interrupted()) return Progress::stepped;
+      const double error = found ? scaled_error(h) : 0;
+      const double proposed = found ? h * std::min(largest_factor, step_factor(error, error_order)) : h / 2;
+      if (found && error <= 1) {
+        accept(last ? std::max(proposed, state_.step) : proposed);
+        return state_.t >= until ? Progress::arrived : Progress::stepped;
+      }
+      ++effort_.rejected;
+      state_.step = proposed;
+      largest_factor = 1;
+    }
+  }
+
+  const State& state() const override { return state_; }
+
+  State at(double t) const override {
+    const double h = state_.t - before_.t;
+    if (h <= 0 || t >= state_.t) return state_;
+    const double s = std::max(0.0, (t - before_.t) / h);
+    const auto between = [&](const HermiteWeights& weights) {
+      return Points(weights.first * before_.q + weights.last * state_.q + weights.first_rate * before_.v +
+                    weights.last_rate * state_.v);
+    };
+    return {.t = t, .q = between(hermite(s, h)), .v = between(hermite_rate(s, h)), .step = state_.step};
+  }
+
+  const Effort& effort() const override { return effort_; }
+
+ private:
+  /// A stage of the method: where it is, how it moves (in `at`) and how it gains speed.
+  struct Motion {
+    State at;
+    Points a;  // m/s²
+  };
+
+  /// Computes both stages of the step to `to`. False if Newton's method does not find one.
+  bool attempt(double to) {
+    const double h = to - state_.t;
+    const State &first = begin_.at, &second = middle_.at;
+    const Points on = gamma * h * first.v;
+    if (!stage(first, state_.t + gamma * h, h, first.q + d * h * first.v, first.v + d * h * begin_.a, on, middle_))
+      return false;
+    const Points further = h * (1 - gamma) * (first.v + (second.v - first.v) * ((1 + gamma) / (2 * gamma)));
+    return stage(second, to, h, first.q + w * h * (first.v + second.v), first.v + w * h * (begin_.a + middle_.a),
+                 further, end_);
+  }
+
+  /// The stage at time `t` is q = `q` + d h v, v = `v` + d h a; `ahead` is about how far it lies from `from`, the stage
+  /// before, at which dissipation is looked at.
+  bool stage(const State& from, double t, double h, const Points& q, const Points& v, const Points& ahead,
+             Motion& found) {
+    const double time = d * h;
+    const Points coasting = q + time * v;
+    increment_.begin(from, time, q, coasting);
+    found.at = from;
+    found.at.t = t;
+    guess(coasting, ahead, found.at);
+    const Equilibrium::Goal goal{.move = newton_error(h)};
+    if (equilibrium_.relax(found.at, goal, spec_.iterations, effort_) != Equilibrium::Answer::found) return false;
+    found.at.v = (found.at.q - q) / time;
+    found.a = (found.at.q - coasting) / (time * time);
+    return true;
+  }
+
+  /// Moves `at` by about `ahead`, and all of it together to where it coasts on the whole: then inner forces, which move
+  /// no centre of mass, are all that is left to find, and momentum is kept however well they are found.
+  void guess(const Points& coasting, Points ahead, State& at) {
+    if (world_.constraints().empty()) {
+      const Points missing = world_.mass().times(coasting - at.q - ahead);
+      const double mass = world_.mass().times(Points::Ones(3, missing.cols())).row(0).sum();
+      const Vec3 together = missing.rowwise().sum() / mass;
+      ahead.colwise() += together;
+      const Vec3 shared = world_.mass().times(ahead).rowwise().sum() / mass;
+      at.q.colwise() += shared;
+      ahead.colwise() -= shared;
+    }
+    equilibrium_.follow(at, ahead);
+  }
+
+  double allowed_speed(double speed) const { return spec_.absolute_speed + spec_.relative * speed; }
+  double allowed_way(double speed, double h) const { return spec_.absolute + spec_.relative * h * speed; }
+
+  double newton_error(double h) const {
+    const double speed = rms(begin_.at.v);
+    return std::min(share_of_newton * std::min(allowed_way(speed, h), d * h * allowed_speed(speed)),
+                    most_of_newton * diameter_);
+  }
+
+  /// Multiplies positions and velocities by (I - θJ)⁻¹, with the last factor at hand.
+  void damp(Points& q, Points& v, double time) const {
+    Eigen::VectorXd x = increment_.impulse(q, v).reshaped();
+    equilibrium_.precondition(x);
+    v = (x.reshaped(3, q.cols()) - q) / time;
+    q = x.reshaped(3, q.cols());
+  }
+
+  /// At most 1 for a step that may be kept. Stiff motion, which the method damps, is damped in the estimate as well:
+  /// the first time in the positions, which then stand in the velocities over the time, so a second time.
+  double scaled_error(double h) const {
+    const auto estimate = [&](const Points& one, const Points& two, const Points& three) {
+      return Points(h * (error_weights[0] * one + error_weights[1] * two + error_weights[2] * three));
+    };
+    Points q = estimate(begin_.at.v, middle_.at.v, end_.at.v), v = estimate(begin_.a, middle_.a, end_.a);
+    for (int times = 0; times < 2; ++times) damp(q, v, d * h);
+    const double speed = std::max(rms(begin_.at.v), rms(end_.at.v));
+    return std::max(rms(q) / allowed_way(speed, h), rms(v) / allowed_speed(speed));
+  }
+
+  /// Moves nothing by more than a hundredth of the diameter.
+  double first_step() const {
+    const double near = 0.01 * diameter_;
+    return std::min({near / std::max(rms(state_.v), 1e-12), std::sqrt(2 * near / std::max(rms(begin_.a), 1e-12)), 1.0});
+  }
+
+  void accept(double next) {
+    before_ = std::move(state_);
+    state_ = end_.at;
+    state_.step = next;
+    ++effort_.accepted;
+  }
+
+  Progress fail(const char* why) {
+    effort_.failure = fmt::format("{} at t = {:.6g} s", why, state_.t);
+    return Progress::failed;
+  }
+
+  Implicit spec_;
+  World& world_;
+  Increment increment_;
+  Equilibrium equilibrium_;
+  State state_, before_;
+  Motion begin_, middle_, end_;
+  double diameter_ = 0;  // of the thinnest yarn, m
+  Effort effort_;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make(const Implicit& spec, World& world, State start) {
+  return std::make_unique<ImplicitSolver>(spec, world, std::move(start));
+}
+
+}  // namespace wale
