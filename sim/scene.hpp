@@ -98,7 +98,7 @@ struct RungeKutta {
 /// Motion by TR-BDF2 (Bank et al. 1985), implicit, L-stable and of order two, with steps by its error (Hosea & Shampine
 /// 1996): stiff motion that has died away does not bound the step.
 struct Implicit {
-  double relative = 1e-3;        ///< error a step: of velocities over the speed, of positions over the way gone
+  double relative = 1e-2;        ///< error a step: of velocities over the speed, of positions over the way gone
   double absolute = 1e-7;        ///< m, an error of positions that is always small enough
   double absolute_speed = 1e-4;  ///< m/s, one of velocities
   double first_step = 0;         ///< s; 0: by the acceleration at the start

@@ -95,7 +95,7 @@ struct Collision {
   std::unique_ptr<World> world;
   State start;
 
-  explicit Collision(const std::vector<EffectSpec>& more = {}) {
+  explicit Collision(const std::vector<EffectSpec>& more = {}, bool lagged = false) {
     Material soft;
     soft.axial_stiffness = 0.1;
     soft.contact_stiffness = 2;
@@ -109,7 +109,7 @@ struct Collision {
     shake(start.q, 1e-5, 2);
     shake(start.v, 0.05, 3);
     start.v.rightCols(8).row(2).array() -= 0.2;
-    world = std::make_unique<World>(fabric, effects, 0.0, start);
+    world = std::make_unique<World>(fabric, effects, 0.0, start, std::vector<Clamp>{}, lagged);
   }
 
   double energy(const State& at) const {
@@ -178,6 +178,80 @@ TEST(FreeYarns, LoseAsMuchEnergyAsDragAndContactDissipate) {
   ASSERT_EQ(progress, Progress::arrived);
   EXPECT_GT(lost, 0.05 * energy);
   EXPECT_NEAR(energy - collision.energy(solver->state()), lost, 1e-5 * lost);
+}
+
+constexpr Implicit fine{.relative = 1e-5, .absolute = 1e-10, .absolute_speed = 1e-7};
+
+/// To rounding, which adds up over the steps.
+TEST(FreeYarns, KeepMomentumThroughAnImplicitCollision) {
+  Collision collision({}, true);
+  const auto solver = make(Implicit{}, *collision.world, collision.start);
+  const State& now = solver->state();
+  const Vec3 momentum = collision.momentum(now);
+  const double carried = collision.world->mass().times(now.v).colwise().norm().sum();
+  while (solver->advance(3 * collision.period()) == Progress::stepped)
+    EXPECT_LT((collision.momentum(now) - momentum).norm(), 2e-10 * carried);
+  ASSERT_EQ(now.t, 3 * collision.period()) << solver->effort().failure;
+  EXPECT_GT((now.v - collision.start.v).norm(), 0.3 * collision.start.v.norm());
+}
+
+TEST(FreeYarns, GainNoEnergyInADampedImplicitCollision) {
+  Collision collision({Drag{.coefficient = 1e-3}, ContactDamping{.tangential = 10, .normal = 100},
+                       Friction{.coefficient = 0.3, .threshold = 1e-2}},
+                      true);
+  const auto solver = make(Implicit{.relative = 1e-4}, *collision.world, collision.start);
+  double before = collision.energy(solver->state());
+  const double start = before;
+  while (solver->advance(3 * collision.period()) == Progress::stepped) {
+    const double energy = collision.energy(solver->state());
+    EXPECT_LT(energy - before, 1e-4 * start);
+    before = energy;
+  }
+  ASSERT_EQ(solver->state().t, 3 * collision.period()) << solver->effort().failure;
+  EXPECT_LT(before, 0.9 * start);
+}
+
+TEST(Drag, SlowsAFreeYarnByOneExponentialImplicitly) {
+  const OneThread one_thread;
+  const Fabric fabric = straight_rod(0.01, 3);
+  const Drag drag{.coefficient = 0.05};
+  World world(fabric, {drag, Stretch{}, Bend{}}, 0.0, at_rest(fabric), {}, true);
+  State start = at_rest(fabric);
+  start.v.colwise() = Vec3(0.3, -0.2, 0.1);
+  const double rate = 2 * drag.coefficient / fabric.materials[0].linear_density;
+  for (const Implicit& spec : {Implicit{.absolute_speed = 1e-8}, fine}) {
+    const auto solver = make(spec, world, start);
+    while (solver->advance(3 / rate) == Progress::stepped) continue;
+    const double left = std::exp(-3.0);
+    EXPECT_LT((solver->state().v - left * start.v).norm(), 2 * spec.relative * start.v.norm());
+  }
+}
+
+/// A yarn is bent by a pull at its middle and let go: explicit and implicit steps lead to the same place.
+TEST(Release, IsTheSameByExplicitAndImplicitSteps) {
+  const OneThread one_thread;
+  const Fabric fabric = straight_rod(14.4e-3, 24);
+  const Schedule pull = Schedule::ramp(0, 1, 1);
+  World bent(fabric,
+             {Stretch{}, Bend{}, Tether{.label = "ends", .segments = {0, 23}, .axes = {0, 1, 1}},
+              Tether{.label = "middle", .segments = {10, 11, 12, 13}, .move = {0, 2e-3, 0}, .progress = pull}},
+             0.0, at_rest(fabric));
+  const auto equilibria = make(QuasiStatic{.tolerance = 1e-5, .first_step = 0.1}, bent, at_rest(fabric));
+  while (equilibria->advance(1) == Progress::stepped) continue;
+  State start = at_rest(fabric);
+  start.q = equilibria->state().q;
+
+  const std::vector<EffectSpec> effects{Stretch{}, Bend{}, Contact{}, Drag{}};
+  const double until = 5e-3;
+  World lagged(fabric, effects, 0.0, start, {}, true), plain(fabric, effects, 0.0, start);
+  const auto implicit = make(Implicit{.relative = 0.1}, lagged, start);
+  const auto explicitly = make(RungeKutta{}, plain, start);
+  while (implicit->advance(until) == Progress::stepped) continue;
+  while (explicitly->advance(until) == Progress::stepped) continue;
+  const double way = (explicitly->state().q - start.q).norm();
+  const double apart = (explicitly->state().q - implicit->state().q).norm() / way;
+  EXPECT_LT(apart, 0.03);
+  EXPECT_LT(50 * implicit->effort().evaluations, explicitly->effort().evaluations);
 }
 
 }  // namespace
