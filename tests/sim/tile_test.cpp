@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "sim/results/shown_fabric.hpp"
 #include "sim/spline.hpp"
 #include "tests/support/make_fabric.hpp"
 
@@ -57,6 +58,24 @@ TEST(Tile, FollowsTheStateAndItsPeriods) {
   q.rightCols<2>().col(1) = Vec3(1e-3, up, 0);
   const Fabric tiled = tile(repeat, q, 1, 2);
   EXPECT_EQ(Vec3(tiled.points.col(tiled.yarns[2].first_point)), Vec3(repeat.points.col(0) + Vec3(1e-3, up, 0)));
+}
+
+TEST(ShownFabric, OfACellHasSixStitchesEachWay) {
+  const Fabric repeat = two_courses();
+  const Points q = points_and_periods(repeat);
+  for (const auto& [wales, repeats] : {std::pair{1, 6}, {2, 3}, {4, 2}, {5, 2}, {6, 1}, {40, 1}}) {
+    Gauge gauge;
+    gauge.wales = wales;
+    gauge.courses = 2;
+    EXPECT_EQ(shown_fabric(repeat, gauge, q).segment_count(), 3 * repeats * repeat.segment_count()) << wales;
+  }
+}
+
+TEST(ShownFabric, OfASwatchIsTheSwatchWhereItIsNow) {
+  Fabric swatch = two_courses();
+  swatch.cell.reset();
+  const Points q = 2 * swatch.points;
+  EXPECT_EQ(shown_fabric(swatch, {}, q).points, q);
 }
 
 TEST(Tile, IsOfPeriodicFabricsOnly) {

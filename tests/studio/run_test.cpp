@@ -100,6 +100,42 @@ solver: {quasi_static: {tolerance: 0.02, first_step: 5 %}}
     EXPECT_NEAR(mended[row][2], whole[row][2], 2e-3 * strongest) << row;
 }
 
+const std::string cell = R"(scene: 1
+fabric: {pattern: chart.yaml, wales: 2, courses: 2, periodic: true, segments_per_stitch: 10}
+effects: {stretch: , bend: , contact: , friction: }
+stages:
+  - {name: tighten, duration: 1 s, samples: 4, tighten: 100 %}
+  - {name: relax, duration: 1 s, samples: 1}
+  - {name: pull, duration: 1 s, samples: 160, pull: {along: wale, to: [40 %, 0 %]}}
+)";
+
+TEST_F(Run, OfACellGoesOnWithTheSameBits) {
+  ASSERT_EQ(run(cell).exit_code, 0);
+  const std::string other = scratch_.path("interrupted");
+  const Answer stopped = wale({"run", scratch_.path("scene.yaml"), "-o", other}, other + "/results.h5");
+  ASSERT_EQ(stopped.exit_code, 130) << stopped.err;
+  EXPECT_LT(numbers(read(other + "/curve.csv")).size(), 161u) << "it was stopped too late to show anything";
+  const Answer resumed = wale({"run", "--resume", other});
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_EQ(read(other + "/curve.csv"), read(file("curve.csv")));
+  EXPECT_EQ(read(other + "/fabric_pulled.svg"), read(file("fabric_pulled.svg")));
+}
+
+TEST_F(Run, OfADeformationTellsStrainsAndStresses) {
+  const std::string pull = cell.substr(cell.find("pull: {along"));
+  const Answer answer = run(replaced(cell, pull, "deform: {shear: [5 %, 0 %], course: held}}\n"));
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const Answer curve = wale({"curve", folder()});
+  EXPECT_TRUE(curve.out.starts_with("strain_wale,stress_wale_MPa,strain_course,stress_course_MPa,strain_shear,"))
+      << curve.out;
+  EXPECT_EQ(curve.out, read(file("curve.csv")));
+  EXPECT_EQ(numbers(curve.out).size(), 161u);
+  const auto json = nlohmann::json::parse(wale({"curve", folder(), "--json"}).out);
+  EXPECT_EQ(json["shear"]["strain"].size(), 161u);
+  EXPECT_TRUE(fs::is_regular_file(file("fabric_pulled.svg")));
+  EXPECT_TRUE(fs::is_regular_file(file("curve.svg")));
+}
+
 TEST_F(Run, RefusesAFolderThatCannotBeWrittenBeforeItComputes) {
   scratch_.write("results", "a file where the folder should be");
   const Answer answer = run(scene);

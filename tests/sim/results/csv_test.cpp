@@ -32,6 +32,20 @@ TEST(Csv, SaysNanForANumberThatLacks) {
   EXPECT_EQ(curve_csv(results), "strain,stress_MPa,force_N,force_per_wale_N,energy_grip_top_J\n0.1,nan,nan,nan,2\n");
 }
 
+TEST(Csv, OfADeformationHasStrainsAndStressesByDirection) {
+  Results results;
+  append_row(results.samples, {{"strain.course", "", 0},
+                               {"strain.wale", "", 0.25},
+                               {"strain.shear", "", -0.5},
+                               {"stress.course", "Pa", 1e6},
+                               {"stress.wale", "Pa", 2e6},
+                               {"stress.shear", "Pa", -3e6},
+                               {"energy.bend", "J", 4}});
+  EXPECT_EQ(curve_csv(results),
+            "strain_wale,stress_wale_MPa,strain_course,stress_course_MPa,strain_shear,stress_shear_MPa,energy_bend_J\n"
+            "0.25,2,0,1,-0.5,-3,4\n");
+}
+
 TEST(Csv, OfARunWithoutAPullIsItsHeader) { EXPECT_EQ(curve_csv({}), "strain,stress_MPa,force_N,force_per_wale_N\n"); }
 
 TEST(Csv, IsWrittenWholeOrNotAtAll) {

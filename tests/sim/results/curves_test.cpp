@@ -79,6 +79,55 @@ TEST(Curve, IsMadeOfTheSamplesOfTheLastPulledStage) {
   EXPECT_TRUE(std::isnan(curve.force[0]));
 }
 
+TEST(Features, OfAPullToAndFroAreThoseOfItsFirstWay) {
+  Curve curve = two_lines(60, 0.6);
+  const Features out = features(curve);
+  for (std::size_t i = 60; i-- > 0;) {
+    curve.strain.push_back(curve.strain[i]);
+    curve.stress.push_back(0.1 * curve.stress[i]);
+  }
+  const Features to_and_fro = features(curve);
+  EXPECT_EQ(to_and_fro.initial_stiffness, out.initial_stiffness);
+  EXPECT_EQ(to_and_fro.transition_strain, out.transition_strain);
+  EXPECT_EQ(to_and_fro.final_stiffness, out.final_stiffness);
+}
+
+/// A stage that only relaxes, and one that shears to 0.2 and back while the wales shorten.
+Results sheared() {
+  Results results;
+  append_row(results.samples, {{"stage", "", 0}, {"stress.wale", "Pa", 9}});
+  for (const double shear : {0.0, 0.1, 0.2, 0.1})
+    append_row(results.samples, {{"stage", "", 1},
+                                 {"stress.wale", "Pa", 0},
+                                 {"stress.course", "Pa", 1},
+                                 {"stress.shear", "Pa", 50 * shear},
+                                 {"strain.course", "", 0},
+                                 {"strain.wale", "", -shear / 10},
+                                 {"strain.shear", "", shear}});
+  return results;
+}
+
+TEST(Curve, OfADeformationIsOneForEachDirection) {
+  const Results results = sheared();
+  EXPECT_EQ(strained_rows(results.samples), (std::vector<std::size_t>{1, 2, 3, 4}));
+  EXPECT_TRUE(stress_strain(results).strain.empty());
+  const std::vector<LabelledCurve> curves = stress_strain_curves(results);
+  ASSERT_EQ(curves.size(), 3U);
+  EXPECT_EQ(curves[0].label, "wale");
+  EXPECT_EQ(curves[2].label, "shear");
+  EXPECT_EQ(curves[2].curve.strain, (std::vector<double>{0, 0.1, 0.2, 0.1}));
+  EXPECT_EQ(curves[2].curve.stress, (std::vector<double>{0, 5, 10, 5}));
+}
+
+TEST(Curve, KnowsWhereItIsStrainedMost) {
+  EXPECT_EQ(most_strained_row(sheared().samples), 3U);
+  Results pulled;
+  EXPECT_EQ(most_strained_row(pulled.samples), std::nullopt);
+  for (const double strain : {0.0, 0.3, 0.0, 0.3, 0.1})
+    append_row(pulled.samples, {{"stage", "", 0}, {"strain", "", strain}});
+  EXPECT_EQ(most_strained_row(pulled.samples), 3U);
+}
+
 void expect_sizes(const Sizes& sizes, const testing::MadeJersey& made, int wales, int courses) {
   EXPECT_NEAR(sizes.wale_spacing, made.wale_spacing, 1e-3 * made.wale_spacing);
   EXPECT_NEAR(sizes.course_spacing, made.course_spacing, 1e-3 * made.course_spacing);

@@ -57,6 +57,10 @@ void expect_same(const Fabric& a, const Fabric& b) {
     EXPECT_EQ(a.segments[i].knitted, b.segments[i].knitted);
   }
   EXPECT_TRUE(same_bits(a.points, b.points));
+  ASSERT_EQ(a.cell.has_value(), b.cell.has_value());
+  if (!a.cell) return;
+  EXPECT_EQ(a.cell->course, b.cell->course);
+  EXPECT_EQ(a.cell->wale, b.cell->wale);
 }
 
 void expect_same_report(const Results& a, const Results& b) {
@@ -122,6 +126,13 @@ TEST_F(Hdf5, GivesResultsBackBitForBit) {
   write_hdf5(results, path("a.h5"));
   expect_same(results, read_hdf5(path("a.h5")));
   EXPECT_FALSE(fs::exists(path("a.h5.part")));
+}
+
+TEST_F(Hdf5, GivesThePeriodsOfACellBack) {
+  Results results = testing::made_results();
+  results.scene.fabric.cell = {{0.1 + 0.2, 0, 0}, {1e-4, 2e-3, 0}};
+  write_hdf5(results, path("a.h5"));
+  expect_same(results, read_hdf5(path("a.h5")));
 }
 
 TEST_F(Hdf5, GivesEmptyResultsBack) {
