@@ -51,7 +51,8 @@ std::optional<ParsedScene> read_scene(const Source& source, Diagnostics& say) {
   Stage common;
   if (const YamlNode* effects = fields.find("effects"))
     read_effects(*effects, scene.overrides.periodic, common.effects, say);
-  if (const YamlNode* solver = fields.find("solver")) common.solver = read_solver(*solver, scene.overrides.periodic, say);
+  if (const YamlNode* solver = fields.find("solver"))
+    common.solver = read_solver(*solver, scene.overrides.periodic, say);
   scene.stages = read_stages(*root, common, scene.overrides.periodic, say);
   if (say.error_count() > errors_before) return std::nullopt;
   return scene;

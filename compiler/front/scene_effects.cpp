@@ -255,8 +255,9 @@ SolverSpec read_solver(const YamlNode& node, bool periodic, Diagnostics& say) {
   }
   if (!chosen) return QuasiStatic{};
   if (periodic && chosen != &solver_readers[0])
-    say.error("S010", named->span, fmt::format("\"{}\" is for swatches, and this fabric is periodic", chosen->key),
-              "leave it out: the periods of an endless fabric have no mass, so it goes from equilibrium to equilibrium");
+    say.error(
+        "S010", named->span, fmt::format("\"{}\" is for swatches, and this fabric is periodic", chosen->key),
+        "leave it out: the periods of an endless fabric have no mass, so it goes from equilibrium to equilibrium");
   return chosen->read(*settings, say);
 }
 
