@@ -45,6 +45,9 @@ double chord_distance(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v
 }  // namespace
 
 double axis_distance(const Fabric& fabric, const Points& q, const Gap& gap) {
+  const bool follow_each_other =
+      gap.image.isZero() && fabric.segment(gap.a).yarn == fabric.segment(gap.b).yarn && std::abs(gap.a - gap.b) <= 1;
+  if (follow_each_other) return gap.distance;  // they share a point
   const Chords a = chords_of(fabric, q, gap.a);
   Chords b = chords_of(fabric, q, gap.b);
   if (!gap.image.isZero())

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double along_yarn = 0.3;      // of the diameter
 constexpr double across_yarns = 0.6;    // of the diameter
+constexpr double least_across = 0.1;    // of the diameter: yarns that lie in each other must be able to part
 constexpr double share_of_gap = 0.9;    // two yarns that come nearer by this share of their gap do not meet
 constexpr double shared_motion = 0.01;  // of the weight
 
@@ -27,7 +28,8 @@ void Leeway::update(const Points& q, const std::vector<Gap>& gaps) {
     // Beads that are near each other may have axes that are nearer.
     const double apart = gap.distance < gap.diameter / 2 ? axis_distance(fabric_, q, gap) : gap.distance;
     near_.push_back({fabric_.first_point(gap.a), fabric_.first_point(gap.b), gap.image,
-                     std::min(across_yarns * thickness_, share_of_gap * apart), gap.distance < gap.diameter});
+                     std::clamp(share_of_gap * apart, least_across * thickness_, across_yarns * thickness_),
+                     gap.distance < gap.diameter});
   }
 }
 

@@ -17,7 +17,7 @@ class Leeway {
   /// Takes the neighbours that are near now.
   void update(const Points& q, const std::vector<Gap>& gaps);
   /// The largest motion of neighbours against each other, over what they are allowed: 0.3 d along a yarn; of two
-  /// segments 0.6 d or 0.9 of their gap, whichever is less, so that they do not meet. `move` has the columns of
+  /// segments 0.9 of their gap, so that they do not meet, between 0.1 and 0.6 d. `move` has the columns of
   /// State::q.
   double share(const Points& move) const;
   /// Adds weight/2 Σ |Δ_i - Δ_j|² over neighbours that touch, and a hundredth of it for motion that all share; N/m.
