@@ -184,7 +184,7 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
   reach_ = 1;
   bool factored = false;
   for (int i = 0; i < iterations; ++i) {
-    residual_ = furthest(now.force.reshaped());
+    residual_ = std::sqrt(now.force.colwise().squaredNorm().maxCoeff(&worst_point_));
     if (!now.force.allFinite()) return Answer::gave_up;
     if (residual_ < goal.residual) return Answer::found;
     if (world_.interrupted()) return Answer::gave_up;

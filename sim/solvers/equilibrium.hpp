@@ -35,6 +35,8 @@ class Equilibrium {
   void forget() { cholesky_.forget(); }
   /// The largest residual force after relax(), N.
   double residual() const { return residual_; }
+  /// The control point that it acts on: a column of what may move.
+  int worst_point() const { return worst_point_; }
 
  private:
   struct Step {
@@ -68,6 +70,7 @@ class Equilibrium {
   double reach_ = 0;      // of what neighbours may move against each other in one iteration
   double clearance_ = 0;  // over the diameter, where the iteration stands
   double residual_ = 0;
+  int worst_point_ = 0;
 };
 
 }  // namespace wale

@@ -73,10 +73,23 @@ class QuasiStaticSolver final : public Solver {
 
   Progress fail() {
     effort_.failure = fmt::format(
-        "no equilibrium was found at load parameter {:.6g}: the largest residual force is {:.3g} N, {:.3g} N was asked "
-        "for",
-        state_.t, equilibrium_.residual(), tolerance_);
+        "no equilibrium was found at load parameter {:.6g}: the largest residual force is {:.3g} N, {}; {:.3g} N was "
+        "asked for",
+        state_.t, equilibrium_.residual(), where(equilibrium_.worst_point()), tolerance_);
     return Progress::failed;
+  }
+
+  /// The yarn and the stitch that a column of what may move belongs to, in words.
+  std::string where(int column) const {
+    const Fabric& fabric = world_.fabric();
+    for (int i = 0; i < fabric.segment_count(); ++i) {
+      // The second of its four control points lies nearest to where a segment begins.
+      if (world_.ties().free_column(fabric.first_point(i) + 1) != column) continue;
+      const Segment& segment = fabric.segment(i);
+      if (segment.stitch < 0) return fmt::format("at an edge, in segment {} of yarn {}", i, segment.yarn);
+      return fmt::format("in stitch {} (segment {} of yarn {})", segment.stitch, i, segment.yarn);
+    }
+    return world_.ties().empty() ? "at the end of a yarn" : "on the periods";
   }
 
   QuasiStatic spec_;
