@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/effects/along_yarn.hpp"
+#include "sim/spline.hpp"
 
 namespace wale::peers {
 namespace {
@@ -17,51 +17,75 @@ Mat3 cross_matrix(const Vec3& a) {
 
 Vec3 curvature_of(const Vec3& a, const Vec3& b) { return a.cross(b) / std::pow(a.norm(), 3); }
 
-struct SetYarnLaw {
-  static constexpr bool elastic = true;
-  static constexpr int derivative = 2;
+struct Node {
+  double weight = 0;
+  Basis basis;
+};
+
+std::vector<Node> node_bases() {
+  std::vector<Node> found;
+  for (const GaussNode& node : gauss(nodes)) found.push_back({node.weight, basis(node.s)});
+  return found;
+}
+
+/// The force kernels take no law that remembers two vectors of a site, so this one goes segment by segment.
+class SetYarn final : public Effect {
+ public:
+  explicit SetYarn(const Parts& parts) : parts_(parts) {
+    for (int i = 0; i < parts.fabric.segment_count(); ++i)
+      for (const Node& node : nodes_) {
+        const int first = parts.fabric.first_point(i);
+        const Vec3 dy = combine(parts.fabric.points, first, node.basis.first);
+        laid_.push_back({dy.normalized(), curvature_of(dy, combine(parts.fabric.points, first, node.basis.second))});
+      }
+  }
+
+  std::string_view name() const override { return "bend"; }
+
+  void add(const State& at, Load& out) const override {
+    auto laid = laid_.begin();
+    for (int i = 0; i < parts_.fabric.segment_count(); ++i)
+      for (const Node& node : nodes_) add_node(at, i, node, *laid++, out);
+  }
+
+ private:
   struct Laid {
     Vec3 tangent, curvature;
   };
-  std::vector<Laid> laid;  // by site
-  std::string_view name() const { return "bend"; }
 
-  void operator()(const Site& at, Slope& slope, Curvature* curvature, bool) const {
-    const double scale = at.yarn->bending_rigidity * at.l;
-    const Vec3 &a = at.dy, &b = at.ddy;
+  void add_node(const State& at, int segment, const Node& node, const Laid& of, Load& out) const {
+    const int first = parts_.fabric.first_point(segment);
+    const double l = parts_.rest_length(segment, at.t);
+    const double scale = node.weight * parts_.fabric.material_of(segment).bending_rigidity * l;
+    const Vec3 a = combine(at.q, first, node.basis.first), b = combine(at.q, first, node.basis.second);
     const double length = a.norm(), p = 1 / (length * length * length);
-    const Laid& of = laid[static_cast<std::size_t>(at.index)];
-    const Vec3 rest = of.curvature * at.l0 / at.l, t = a / length;
+    const Vec3 rest = of.curvature * parts_.fabric.segment(segment).length / l, t = a / length;
     // The smallest rotation of a vector across the old tangent.
     const double open = 1 + t.dot(of.tangent), share = t.dot(rest) / open;
     const Vec3 off = a.cross(b) * p - (rest - share * (of.tangent + t));
+    if (out.energy) *out.energy += scale * off.squaredNorm() / 2;
     const Mat3 across = (Mat3::Identity() - t * t.transpose()) / length;
     const Mat3 share_by_t = (of.tangent + t) * (rest / open - share / open * of.tangent).transpose();
     const Mat3 by_a = -p * cross_matrix(b) - 3 * p / length * a.cross(b) * t.transpose() +
                       (share_by_t + share * Mat3::Identity()) * across;
     const Mat3 by_b = p * cross_matrix(a);
-    slope.energy = scale * off.squaredNorm() / 2;
-    slope.dy = scale * by_a.transpose() * off;
-    slope.ddy = scale * by_b.transpose() * off;
-    if (!curvature) return;
-    curvature->dy_dy = scale * by_a.transpose() * by_a;
-    curvature->dy_ddy = scale * by_a.transpose() * by_b;
-    curvature->ddy_ddy = scale * by_b.transpose() * by_b;
+    Mat3 by_point[4];
+    for (std::size_t k = 0; k < 4; ++k) by_point[k] = node.basis.first[k] * by_a + node.basis.second[k] * by_b;
+    if (out.force)
+      for (int k = 0; k < 4; ++k) out.force->col(first + k) -= scale * by_point[k].transpose() * off;
+    for (Stiffness* second : {out.stiffness, out.convex})
+      if (second)
+        for (int j = 0; j < 4; ++j)
+          for (int k = j; k < 4; ++k) second->add(first + j, first + k, scale * by_point[j].transpose() * by_point[k]);
   }
+
+  const Parts& parts_;
+  std::vector<Node> nodes_ = node_bases();
+  std::vector<Laid> laid_;  // by site
 };
 
 }  // namespace
 
-std::unique_ptr<Effect> set_yarn(const Parts& parts) {
-  SetYarnLaw law;
-  for (int i = 0; i < parts.fabric.segment_count(); ++i)
-    for (const GaussNode& node : gauss(nodes)) {
-      const Basis b = basis(node.s);
-      const Vec3 dy = combine(parts.fabric.points, parts.fabric.first_point(i), b.first);
-      law.laid.push_back(
-          {dy.normalized(), curvature_of(dy, combine(parts.fabric.points, parts.fabric.first_point(i), b.second))});
-    }
-  return std::make_unique<AlongYarn<SetYarnLaw>>(std::move(law), parts, nodes, all_segments(parts.fabric));
-}
+std::unique_ptr<Effect> set_yarn(const Parts& parts) { return std::make_unique<SetYarn>(parts); }
 
 }  // namespace wale::peers
