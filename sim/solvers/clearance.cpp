@@ -44,6 +44,11 @@ double chord_distance(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v
 
 }  // namespace
 
+double thinnest_diameter(const Fabric& fabric) {
+  const auto thinner = [](const Material& a, const Material& b) { return a.diameter < b.diameter; };
+  return std::min_element(fabric.materials.begin(), fabric.materials.end(), thinner)->diameter;
+}
+
 double axis_distance(const Fabric& fabric, const Points& q, const Gap& gap) {
   const bool follow_each_other =
       gap.image.isZero() && fabric.segment(gap.a).yarn == fabric.segment(gap.b).yarn && std::abs(gap.a - gap.b) <= 1;

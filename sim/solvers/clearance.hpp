@@ -5,6 +5,9 @@
 
 namespace wale {
 
+/// The contact diameter of the thinnest yarn, m.
+double thinnest_diameter(const Fabric&);
+
 /// The distance between the axes of two segments, each taken as four chords, m. `q` has the columns of State::q.
 double axis_distance(const Fabric&, const Points& q, const Gap&);
 

@@ -31,10 +31,8 @@ Equilibrium::Equilibrium(Increment& increment)
       world_(increment.world()),
       exact_(increment.points()),
       convex_(increment.points()),
-      leeway_(world_.fabric()) {
-  thickness_ = world_.fabric().materials.front().diameter;
-  for (const Material& material : world_.fabric().materials) thickness_ = std::min(thickness_, material.diameter);
-}
+      leeway_(world_.fabric()),
+      thickness_(thinnest_diameter(world_.fabric())) {}
 
 double Equilibrium::share(const Eigen::VectorXd& move) const {
   return leeway_.share(increment_.spread(move.reshaped(3, move.size() / 3)));

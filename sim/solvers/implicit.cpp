@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/solvers/clearance.hpp"
 #include "sim/solvers/equilibrium.hpp"
 #include "sim/solvers/hermite.hpp"
 #include "sim/solvers/step_control.hpp"
@@ -35,10 +36,8 @@ class ImplicitSolver final : public Solver {
         increment_(world),
         equilibrium_(increment_),
         state_(std::move(start)),
-        before_(state_) {
-    diameter_ = world.fabric().materials.front().diameter;
-    for (const Material& material : world.fabric().materials) diameter_ = std::min(diameter_, material.diameter);
-  }
+        before_(state_),
+        diameter_(thinnest_diameter(world.fabric())) {}
 
   Progress advance(double until) override {
     if (state_.t >= until) return Progress::arrived;

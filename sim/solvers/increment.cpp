@@ -75,9 +75,10 @@ void Increment::second(const State& at, const Leeway& leeway, double shift, Stif
     all_exact.add(mass_, 1 / (time_ * time_));
     all_convex.add(mass_, 1 / (time_ * time_));
   }
-  if (shift == 0) return;
-  leeway.add_to(all_exact, shift);
-  leeway.add_to(all_convex, shift);
+  if (shift > 0) {
+    leeway.add_to(all_exact, shift);
+    leeway.add_to(all_convex, shift);
+  }
   if (!periodic) return;
   gather(exact_, exact);
   gather(convex_, convex);

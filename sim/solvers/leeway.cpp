@@ -17,10 +17,7 @@ constexpr double shared_motion = 0.01;  // of the weight
 
 }  // namespace
 
-Leeway::Leeway(const Fabric& fabric) : fabric_(fabric) {
-  thickness_ = fabric.materials.front().diameter;
-  for (const Material& material : fabric.materials) thickness_ = std::min(thickness_, material.diameter);
-}
+Leeway::Leeway(const Fabric& fabric) : fabric_(fabric), thickness_(thinnest_diameter(fabric)) {}
 
 void Leeway::update(const Points& q, const std::vector<Gap>& gaps) {
   near_.clear();

@@ -7,22 +7,10 @@
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/modes.hpp"
 #include "tests/support/one_thread.hpp"
+#include "tests/support/solver_runs.hpp"
 
 namespace wale {
 namespace {
-
-State run_to(Solver& solver, double until) {
-  while (solver.state().t < until)
-    if (solver.advance(until) == Progress::failed) throw std::runtime_error(solver.effort().failure);
-  return solver.state();
-}
-
-void expect_same_bits(const State& a, const State& b) {
-  EXPECT_EQ(a.t, b.t);
-  EXPECT_EQ(a.q, b.q);
-  EXPECT_EQ(a.v, b.v);
-  EXPECT_EQ(a.step, b.step);
-}
 
 /// A yarn pinned at one end swings like a pendulum; a soft one has no fast modes.
 struct Swing {

@@ -9,6 +9,7 @@
 #include "tests/support/convergence.hpp"
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/one_thread.hpp"
+#include "tests/support/solver_runs.hpp"
 
 namespace wale {
 namespace {
@@ -166,19 +167,6 @@ struct Scuffle {
 };
 
 constexpr double duration = 2e-5;  // s, some hundred steps
-
-State run_to(Solver& solver, double until) {
-  while (solver.state().t < until)
-    if (solver.advance(until) == Progress::failed) throw std::runtime_error(solver.effort().failure);
-  return solver.state();
-}
-
-void expect_same_bits(const State& a, const State& b) {
-  EXPECT_EQ(a.t, b.t);
-  EXPECT_EQ(a.q, b.q);
-  EXPECT_EQ(a.v, b.v);
-  EXPECT_EQ(a.step, b.step);
-}
 
 TEST(RungeKutta, NeverPassesTheEndItIsGivenAndSaysWhenItIsThere) {
   Scuffle scuffle;
