@@ -8,6 +8,7 @@
 #include "sim/mount.hpp"
 #include "sim/results/curves.hpp"
 #include "sim/results/topology.hpp"
+#include "sim/solvers/clearance.hpp"
 #include "sim/stage.hpp"
 #include "sim/tile.hpp"
 
@@ -30,7 +31,8 @@ class Run {
       : results_(results),
         options_(options),
         plain_(plain(results.scene.fabric, at_rest(results.scene.fabric).q)),
-        clasps_(plain_, results.scene.crossings) {
+        clasps_(plain_, results.scene.crossings),
+        half_diameter_(thinnest_diameter(results.scene.fabric) / 2) {
     for (const Snapshot& snapshot : results.snapshots) follow(snapshot.state.q);
   }
 
@@ -53,7 +55,15 @@ class Run {
   }
   std::vector<bool> follow(const Points& q) {
     const Fabric& fabric = results_.scene.fabric;
+    followed_ = q;
     return clasps_.follow(fabric.cell ? plain(fabric, q).points : q);
+  }
+
+  /// For the many short steps of a motion: a loop is several diameters of yarn long, so that little can have slid where
+  /// nothing has moved by half of one.
+  void keep_up(const Points& q) {
+    if (followed_.cols() == q.cols() && (q - followed_).colwise().norm().maxCoeff() < half_diameter_) return;
+    follow(q);
   }
 
   static bool grips(const Stage& stage) { return stage.mount || stage.pull || stage.deform; }
@@ -144,7 +154,7 @@ class Run {
     while (true) {
       const Progress progress = solver->advance(t);
       state = solver->state();
-      if (progress == Progress::stepped) follow(state.q);
+      if (progress == Progress::stepped) keep_up(state.q);
       tell(index, state.t);
       if (progress == Progress::failed) outcome = Outcome::failed;
       if (progress != Progress::stepped) break;
@@ -193,6 +203,8 @@ class Run {
   const RunOptions& options_;
   Fabric plain_;
   Clasps clasps_;
+  Points followed_;       // where clasps_ last looked
+  double half_diameter_;  // m
 };
 
 }  // namespace
