@@ -15,7 +15,7 @@ Increment::Increment(World& world)
       exact_(world.ties().columns()),
       convex_(world.ties().columns()) {}
 
-void Increment::begin(const State& from, double time) { begin(from, time, from.q, {}); }
+void Increment::begin(const State& lagged, double time, Points from) { begin(lagged, time, std::move(from), {}); }
 
 void Increment::begin(const State& lagged, double time, Points from, Points coasting) {
   time_ = time;

@@ -28,8 +28,8 @@ class QuasiStaticSolver final : public Solver {
     if (state_.step <= 0) state_.step = spec_.first_step > 0 ? spec_.first_step : until - state_.t;
     while (true) {
       const double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
-      increment_.begin(state_, target - state_.t);
       State next = guess(target);
+      increment_.begin(next, target - state_.t, state_.q);
       if (equilibrium_.relax(next, {.residual = tolerance_}, spec_.iterations, effort_) == Equilibrium::Answer::found)
         return accept(std::move(next), until);
       if (world_.interrupted()) return Progress::stepped;
