@@ -73,6 +73,7 @@ Answer answer_for(const Setting& setting, const Scene& scene) {
     Results pulled = relaxed;
     Stage pull = stage_of(setting);
     pull.samples = setting.samples;
+    pull.solver = QuasiStatic{.tolerance = 0.002};  // rib bears little along its courses
     pull.pull = Pull{along, {1.0}};
     pulled.scene.stages.push_back(pull);
     run_on(pulled);
@@ -124,7 +125,7 @@ void relax_and_pull(benchmark::State& state) {
   }
 }
 BENCHMARK(relax_and_pull)
-    ->ArgsProduct({{0, 1, 2, 3}, {8, 12, 16, 24, 32, 48}, {0, 30}, {25, 50, 100}})
+    ->ArgsProduct({{0, 1, 2, 3}, {8, 12, 16, 24, 32, 40, 48}, {0, 30}, {25, 50, 100}})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
