@@ -22,6 +22,10 @@ void Increment::begin(const State& lagged, double time, Points from, Points coas
   from_ = std::move(from);
   coasting_ = std::move(coasting);
   if (has_inertia() && mass_.slots() == 0) world_.mass().add_to(mass_);
+  lag(lagged);
+}
+
+void Increment::lag(const State& lagged) {
   if (!dissipates_) return;
   lagged_ = lagged;
   world_.prepare(lagged, Acting::dissipative);

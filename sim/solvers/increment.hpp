@@ -9,8 +9,7 @@ namespace wale {
 /// Φ(q) = V(q) + θ D(qD; (q - q0)/θ) + ½ (q - q1)·M (q - q1)/θ², where the velocity at the end is (q - q0)/θ, the
 /// acceleration (q - q1)/θ², and θ how long the step takes. That its slope is zero is the balance of forces there. D
 /// has its normal forces and directions from a given qD: lagged, so that there is an energy to be made least (Li et
-/// al. 2020, "Incremental potential contact"). A quasi-static step has no last term, and where its end is guessed for
-/// qD: normal forces from its beginning would be wrong by the first order of the step.
+/// al. 2020, "Incremental potential contact"). A quasi-static step has no last term.
 class Increment {
  public:
   /// `world` must outlive it, and be lagged if anything in it depends on velocity.
@@ -18,11 +17,14 @@ class Increment {
 
   /// A quasi-static step from `from`, q0, that takes `time`, s. `lagged` is qD.
   void begin(const State& lagged, double time, Points from);
+  /// From now on qD is `lagged`.
+  void lag(const State& lagged);
   /// Where a motion would be after `time` s at its old velocity (`coasting`, q1), and where it would be at none
   /// (`from`, q0); 3 x M. Not of a periodic fabric.
   void begin(const State& lagged, double time, Points from, Points coasting);
   /// Whether the last begin() was of a motion.
   bool has_inertia() const { return coasting_.size() > 0; }
+  bool dissipates() const { return dissipates_; }
   /// Brings caches up to date for V at `at`.
   void prepare(const State& at) { world_.prepare(at, Acting::elastic); }
   /// Φ, J; and the force -dΦ/dx, N, if it is wanted, on what may move: 3 x points(). Prepares.

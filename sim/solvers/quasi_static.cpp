@@ -8,6 +8,8 @@
 namespace wale {
 namespace {
 
+constexpr double rough = 10;  // times the tolerance
+
 /// Equilibrium after equilibrium; its time is the load parameter of the schedules.
 /// State::v holds the quasi-static velocity, from which the next equilibrium is guessed.
 class QuasiStaticSolver final : public Solver {
@@ -30,8 +32,7 @@ class QuasiStaticSolver final : public Solver {
       const double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
       State next = guess(target);
       increment_.begin(next, target - state_.t, state_.q);
-      if (equilibrium_.relax(next, {.residual = tolerance_}, spec_.iterations, effort_) == Equilibrium::Answer::found)
-        return accept(std::move(next), until);
+      if (balance(next)) return accept(std::move(next), until);
       if (world_.interrupted()) return Progress::stepped;
       ++effort_.rejected;
       state_.step = (target - state_.t) / 2;
@@ -59,6 +60,20 @@ class QuasiStaticSolver final : public Solver {
     equilibrium_.follow(next, (target - state_.t) * state_.v);
     if (world_.fabric().cell) world_.guide().lead(next);
     return next;
+  }
+
+  /// Normal forces of friction are taken from a rough balance at the end of the step: those at its beginning are wrong
+  /// by the first order of the step.
+  bool balance(State& next) {
+    if (increment_.dissipates()) {
+      if (!balance(next, rough * tolerance_)) return false;
+      increment_.lag(next);
+    }
+    return balance(next, tolerance_);
+  }
+
+  bool balance(State& next, double residual) {
+    return equilibrium_.relax(next, {.residual = residual}, spec_.iterations, effort_) == Equilibrium::Answer::found;
   }
 
   Progress accept(State next, double until) {
