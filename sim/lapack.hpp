@@ -1,7 +1,8 @@
-/// The five band routines of LAPACK that are used here, with Eigen's matrices in place of pointers and sizes.
+/// The routines of LAPACK that are used here, with Eigen's matrices in place of pointers and sizes.
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -15,12 +16,14 @@ void dgbtrs_(const char* trans, const int* n, const int* kl, const int* ku, cons
              const int* ldab, const int* ipiv, double* b, const int* ldb, int* info, std::size_t);
 void dgbsv_(const int* n, const int* kl, const int* ku, const int* nrhs, double* ab, const int* ldab, int* ipiv,
             double* b, const int* ldb, int* info);
+void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info, std::size_t);
+void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info, std::size_t);
 }
 
 namespace wale::lapack {
 
 /// Every function returns LAPACK's info: 0 for success, i > 0 where the i-th pivot (or leading minor) failed.
-/// A matrix is stored by diagonals, one column a column of the matrix. Lower symmetric: element (i, j) is
+/// A band matrix is stored by diagonals, one column a column of the matrix. Lower symmetric: element (i, j) is
 /// ab(i - j, j) and ab has 1 + subdiagonals rows. General: element (i, j) is ab(lower + upper + i - j, j), and ab
 /// has 2 lower + upper + 1 rows, of which the first `lower` are LAPACK's to fill.
 
@@ -66,6 +69,22 @@ inline int dgbsv(int lower, int upper, Eigen::MatrixXd& ab, Eigen::MatrixXd& b) 
   int info = 0;
   std::vector<int> pivots(static_cast<std::size_t>(n));
   dgbsv_(&n, &lower, &upper, &nrhs, ab.data(), &ldab, pivots.data(), b.data(), &ldb, &info);
+  return info;
+}
+
+/// Cholesky factor U of the symmetric positive definite matrix UᵀU in an upper triangle, in place.
+inline int dpotrf(Eigen::MatrixXd& upper) {
+  const int n = static_cast<int>(upper.cols()), lda = std::max(1, n);
+  int info = 0;
+  dpotrf_("U", &n, upper.data(), &lda, &info, 1);
+  return info;
+}
+
+/// The upper triangle of U Uᵀ from an upper triangle U, in place.
+inline int dlauum(Eigen::MatrixXd& upper) {
+  const int n = static_cast<int>(upper.cols()), lda = std::max(1, n);
+  int info = 0;
+  dlauum_("U", &n, upper.data(), &lda, &info, 1);
   return info;
 }
 

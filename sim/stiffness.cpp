@@ -5,7 +5,9 @@
 namespace wale {
 namespace {
 
-constexpr int few = 64;  // points for which threads cost more than they save
+constexpr int few = 64;           // points for which threads cost more than they save
+constexpr std::size_t spare = 8;  // a share of the values for which room is made
+                                  // when they must move anyway
 
 std::vector<Stiffness::Entry>::const_iterator find(const std::vector<Stiffness::Entry>& row, int column) {
   return std::lower_bound(row.begin(), row.end(), column,
@@ -14,34 +16,50 @@ std::vector<Stiffness::Entry>::const_iterator find(const std::vector<Stiffness::
 
 }  // namespace
 
-Stiffness::Stiffness(int points) : rows_(static_cast<std::size_t>(points)) {}
+Stiffness::Stiffness(int points) : pattern_(std::make_shared<Pattern>()) {
+  pattern_->rows.resize(static_cast<std::size_t>(points));
+}
 
-void Stiffness::clear() { std::fill(values_.begin(), values_.end(), Mat3(Mat3::Zero())); }
+void Stiffness::clear() {
+  fit();
+  std::fill(values_.begin(), values_.end(), Mat3(Mat3::Zero()));
+}
+
+void Stiffness::fit() {
+  const std::size_t slots = pattern_->slots;
+  if (values_.size() == slots) return;
+  if (values_.capacity() < slots) values_.reserve(slots + slots / spare);
+  values_.resize(slots, Mat3::Zero());
+}
+
+void Stiffness::scale(double factor) {
+  for (Mat3& value : values_) value *= factor;
+}
 
 int Stiffness::slot(int i, int j) {
   assert(i <= j);
-  const auto& row = rows_[static_cast<std::size_t>(i)];
-  const auto at = find(row, j);
-  if (at != row.end() && at->column == j) return at->slot;
-  const int made = static_cast<int>(values_.size());
-  enter(i, j, made);
-  if (i != j) enter(j, i, made);
-  values_.emplace_back(Mat3::Zero());
-  ++version_;
+  fit();
+  const auto& entries = row(i);
+  const auto at = find(entries, j);
+  if (at != entries.end() && at->column == j) return at->slot;
+  const int made = static_cast<int>(pattern_->slots++);
+  pattern_->enter(i, j, made);
+  if (i != j) pattern_->enter(j, i, made);
+  fit();
   return made;
 }
 
 void Stiffness::slots(int i, int j, int count, std::vector<int>& out) {
-  const auto& row = rows_[static_cast<std::size_t>(i)];
-  auto at = static_cast<std::size_t>(find(row, j) - row.begin());
+  const auto& entries = row(i);
+  auto at = static_cast<std::size_t>(find(entries, j) - entries.begin());
   for (const int end = j + count; j < end; ++j, ++at) {
-    if (at == row.size() || row[at].column != j) slot(i, j);
-    out.push_back(row[at].slot);
+    if (at == entries.size() || entries[at].column != j) slot(i, j);
+    out.push_back(entries[at].slot);
   }
 }
 
 void Stiffness::add(const Stiffness& other, double factor) {
-  const std::vector<int>& slots = places(&other, other.version(), [&](std::vector<int>& list) {
+  const std::vector<int>& slots = places(&other, static_cast<long>(other.slots()), [&](std::vector<int>& list) {
     for (int i = 0; i < other.points(); ++i)
       for (const Entry& entry : other.row(i))
         if (entry.column >= i) list.push_back(slot(i, entry.column));
@@ -64,8 +82,8 @@ void Stiffness::hold(int point, int axis, double diagonal) {
   values_[static_cast<std::size_t>(slot(point, point))](axis, axis) = diagonal;
 }
 
-void Stiffness::enter(int row, int column, int slot) {
-  auto& entries = rows_[static_cast<std::size_t>(row)];
+void Stiffness::Pattern::enter(int row, int column, int slot) {
+  auto& entries = rows[static_cast<std::size_t>(row)];
   entries.insert(find(entries, column), {column, slot});
 }
 

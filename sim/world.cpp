@@ -45,8 +45,15 @@ void World::evaluate(const State& state, Load& out, Acting which) const {
   if (out.stiffness) out.stiffness->clear();
   if (out.damping) out.damping->clear();
   if (out.convex) out.convex->clear();
+  add_to(out, state, which);
+}
+
+void World::add_to(Load& out, const State& state, Acting which) const {
   for (const auto& effect : effects_)
     if (is_meant(*effect, which)) effect->add(state, out);
+  // An effect may add to one of two that share their pattern.
+  for (Stiffness* matrix : {out.stiffness, out.damping, out.convex})
+    if (matrix) matrix->fit();
 }
 
 void World::accelerate(const State& state, Points& acceleration) {

@@ -1,26 +1,44 @@
 #include "sim/solvers/cholesky.hpp"
 
-#include "sim/solvers/cholmod.hpp"
-#include "sim/solvers/ordered_matrix.hpp"
+#include <algorithm>
+#include <optional>
+
+#include "sim/lapack.hpp"
+#include "sim/solvers/dissection.hpp"
+#include "sim/solvers/part_factor.hpp"
 
 namespace wale {
+namespace {
+
+constexpr double much_fuller = 1.1;  // than the factor for which the order was made
+
+using Status = PartFactor::Status;
+
+/// Calls act(p) for every part, each on a thread of its own if there are as many, and answers the worst status.
+template <class Act>
+Status each(std::size_t parts, const Act& act) {
+  std::vector<Status> status(parts);
+#pragma omp parallel for schedule(static, 1) if (parts > 1)
+  for (std::size_t p = 0; p < parts; ++p) status[p] = act(p);
+  const Status worst = *std::max_element(status.begin(), status.end());
+  if (worst == Status::no_memory) throw std::bad_alloc();
+  return worst;
+}
+
+}  // namespace
 
 struct Cholesky::Work {
-  cholmod::Common common;
-  OrderedMatrix matrix;
-  cholmod::Factor factor{nullptr, {common.get()}};
-  Eigen::VectorXd right;                                          // in the order of elimination
-  cholmod_dense *solution = nullptr, *y = nullptr, *e = nullptr;  // made by cholmod_solve2, and used again
+  UsedBlocks used;
+  std::optional<Dissection> dissection;
+  std::size_t values_then = 0;  // in the factor, when the dissection was made
+  std::vector<std::unique_ptr<PartFactor>> parts;
+  std::vector<Eigen::MatrixXd> left;  // of the border by each part, while they are summed
+  Eigen::MatrixXd border;             // U of what all parts leave of it, UᵀU; last coordinate first
 
-  Work() {
-    common->supernodal = CHOLMOD_SUPERNODAL;
-    // The points lie in their order already, so CHOLMOD reads the matrix where it is instead of permuting a copy.
-    common->method[0].ordering = CHOLMOD_NATURAL;
-    common->postorder = 0;
-  }
-  ~Work() {
-    for (cholmod_dense* dense : {solution, y, e}) cholmod_free_dense(&dense, common.get());
-  }
+  Eigen::Index border_size() const { return 3 * static_cast<Eigen::Index>(dissection->border.size()); }
+  void follow_pattern(const Stiffness& K);
+  std::size_t make_parts(const Stiffness& K);
+  bool factor_border(const Stiffness& K, double shift);
 };
 
 Cholesky::Cholesky() : work_(std::make_unique<Work>()) {}
@@ -28,36 +46,83 @@ Cholesky::~Cholesky() = default;
 
 void Cholesky::forget() { work_ = std::make_unique<Work>(); }
 
+/// A few new blocks may fill a factor in an old order to several times its size.
+void Cholesky::Work::follow_pattern(const Stiffness& K) {
+  if (!used.update(K)) return;
+  const bool may_stay = dissection && separates(*dissection, K, used);
+  if (may_stay && static_cast<double>(make_parts(K)) < much_fuller * static_cast<double>(values_then)) return;
+  dissection = dissect(K, used);
+  values_then = make_parts(K);
+}
+
+/// Answers how many values the factors have.
+std::size_t Cholesky::Work::make_parts(const Stiffness& K) {
+  parts.clear();
+  parts.resize(dissection->parts.size());
+  each(parts.size(), [&](std::size_t p) {
+    try {
+      parts[p] = std::make_unique<PartFactor>(K, used, dissection->parts[p], dissection->border);
+      return Status::good;
+    } catch (const std::bad_alloc&) {
+      return Status::no_memory;
+    }
+  });
+  std::size_t values = 0;
+  for (const auto& part : parts) values += part->values();
+  return values;
+}
+
+/// Every part leaves the border's own block less what it takes of it; that block counts once.
+bool Cholesky::Work::factor_border(const Stiffness& K, double shift) {
+  const std::vector<int>& points = dissection->border;
+  if (points.empty()) return true;
+  std::vector<int> place(static_cast<std::size_t>(K.points()), -1);
+  for (std::size_t k = 0; k < points.size(); ++k) place[static_cast<std::size_t>(points[k])] = static_cast<int>(k);
+  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(border_size(), border_size());  // its lower triangle
+  for (const int i : points)
+    for (const Stiffness::Entry& entry : K.row(i)) {
+      const int row = place[static_cast<std::size_t>(i)], column = place[static_cast<std::size_t>(entry.column)];
+      if (column < 0 || column > row) continue;
+      const Mat3& block = K.at(entry.slot);
+      own.block<3, 3>(3 * row, 3 * column) = entry.column < i ? Mat3(block.transpose()) : block;
+    }
+  own.diagonal().array() += shift;
+  border = (1 - static_cast<double>(parts.size())) * own.reverse();
+  for (const Eigen::MatrixXd& of_part : left) border += of_part;
+  left.clear();
+  return lapack::dpotrf(border) == 0;
+}
+
 bool Cholesky::factor(const Stiffness& K, double shift) {
-  auto& [common, matrix, factor, right, solution, y, e] = *work_;
-  const bool is_new_pattern = matrix.update(K);
-  cholmod_sparse view = matrix.view();
-  const cholmod::OneThread guard;
-  if (is_new_pattern) factor = common.analyse(view);
-  double beta[2] = {shift, 0};
-  cholmod_factorize_p(&view, beta, nullptr, 0, factor.get(), common.get());
-  if (common->status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-  return common->status == CHOLMOD_OK && factor->minor == factor->n;
+  Work& work = *work_;
+  work.follow_pattern(K);
+  work.left.resize(work.parts.size());
+  const Status status = each(work.parts.size(), [&](std::size_t p) {
+    const Status found = work.parts[p]->factor(K, shift);
+    if (found == Status::good) work.left[p] = work.parts[p]->left_of_border();
+    return found;
+  });
+  return status == Status::good && work.factor_border(K, shift);
 }
 
 void Cholesky::solve(Eigen::VectorXd& x) const {
-  auto& [common, matrix, factor, right, solution, y, e] = *work_;
-  const std::vector<int>& order = matrix.order();
-  right.resize(x.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    right.segment<3>(3 * static_cast<Eigen::Index>(k)) = x.segment<3>(3 * order[k]);
-  cholmod_dense b{};
-  b.nrow = b.d = b.nzmax = static_cast<std::size_t>(x.size());
-  b.ncol = 1;
-  b.x = right.data();
-  b.xtype = CHOLMOD_REAL;
-  b.dtype = CHOLMOD_DOUBLE;
-  const cholmod::OneThread guard;
-  if (!cholmod_solve2(CHOLMOD_A, factor.get(), &b, nullptr, &solution, nullptr, &y, &e, common.get()))
-    throw std::bad_alloc();
-  const Eigen::Map<const Eigen::VectorXd> found(static_cast<const double*>(solution->x), x.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    x.segment<3>(3 * order[k]) = found.segment<3>(3 * static_cast<Eigen::Index>(k));
+  Work& work = *work_;
+  const std::vector<int>& points = work.dissection->border;
+  std::vector<Eigen::VectorXd> by_part(work.parts.size(), Eigen::VectorXd::Zero(work.border_size()));
+  each(work.parts.size(), [&](std::size_t p) { return work.parts[p]->forward(x, by_part[p]); });
+  Eigen::VectorXd at_border(work.border_size());
+  for (std::size_t k = 0; k < points.size(); ++k)
+    at_border.segment<3>(3 * static_cast<Eigen::Index>(k)) = x.segment<3>(3 * points[k]);
+  for (const Eigen::VectorXd& of_part : by_part) at_border += of_part;
+  if (!points.empty()) {
+    at_border.reverseInPlace();
+    work.border.transpose().triangularView<Eigen::Lower>().solveInPlace(at_border);
+    work.border.triangularView<Eigen::Upper>().solveInPlace(at_border);
+    at_border.reverseInPlace();
+  }
+  each(work.parts.size(), [&](std::size_t p) { return work.parts[p]->backward(at_border, x); });
+  for (std::size_t k = 0; k < points.size(); ++k)
+    x.segment<3>(3 * points[k]) = at_border.segment<3>(3 * static_cast<Eigen::Index>(k));
 }
 
 }  // namespace wale

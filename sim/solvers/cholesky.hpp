@@ -1,4 +1,4 @@
-/// Sparse Cholesky factors of a Stiffness plus a multiple of the identity, by CHOLMOD.
+/// Sparse Cholesky factors of a Stiffness plus a multiple of the identity.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,9 @@
 
 namespace wale {
 
-/// Keeps the symbolic factorisation as long as the pattern stays. Works on one thread, and leaves OpenMP's settings as
-/// they are: the same bits for any number of threads. Not copyable; not for concurrent use.
+/// A large matrix is factored in two parts at the same time and then along the border between them. Keeps the order of
+/// elimination and the symbolic factor as long as the pattern stays. Leaves OpenMP's settings as they are: the same
+/// bits for any number of threads. Not copyable; not for concurrent use.
 class Cholesky {
  public:
   Cholesky();
@@ -16,11 +17,11 @@ class Cholesky {
   Cholesky(const Cholesky&) = delete;
   Cholesky& operator=(const Cholesky&) = delete;
 
-  /// Factors K + shift I. False if that is not positive definite.
+  /// Factors K + shift I. False if that is not positive definite. Throws std::bad_alloc.
   [[nodiscard]] bool factor(const Stiffness& K, double shift);
   /// Drops the symbolic factor: what comes next depends on nothing that came before.
   void forget();
-  /// x := (K + shift I)⁻¹ x, after factor() answered true.
+  /// x := (K + shift I)⁻¹ x, after factor() answered true. Throws std::bad_alloc.
   void solve(Eigen::VectorXd& x) const;
 
  private:

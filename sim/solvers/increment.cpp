@@ -3,7 +3,8 @@
 namespace wale {
 namespace {
 
-constexpr double held_stiffness = 1e3;  // N/m, of what does not move and feels no force: about as stiff as yarn
+constexpr double held_stiffness = 1e3;  // N/m, of what does not move and feels
+                                        // no force: about as stiff as yarn
 
 }  // namespace
 
@@ -13,7 +14,7 @@ Increment::Increment(World& world)
       mass_(world.ties().columns()),
       damping_(world.ties().columns()),
       exact_(world.ties().columns()),
-      convex_(world.ties().columns()) {}
+      convex_(exact_) {}
 
 void Increment::begin(const State& lagged, double time, Points from) { begin(lagged, time, std::move(from), {}); }
 
@@ -67,14 +68,16 @@ double Increment::value(const State& at, Points* force) {
 void Increment::second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness& convex) {
   const bool periodic = !world_.ties().empty();
   Stiffness &all_exact = periodic ? exact_ : exact, &all_convex = periodic ? convex_ : convex;
-  Load load{.stiffness = &all_exact, .convex = &all_convex};
-  world_.evaluate(at, load, Acting::elastic);
+  all_convex.clear();
   if (dissipates_) {
-    Load loss{.damping = &damping_};
-    world_.evaluate(moving(at), loss, Acting::dissipative);
-    all_exact.add(damping_, 1 / time_);
-    all_convex.add(damping_, 1 / time_);
+    Load loss{.damping = &all_convex};
+    world_.add_to(loss, moving(at), Acting::dissipative);
+    if (has_inertia()) damping_ = all_convex;
+    all_convex.scale(1 / time_);
   }
+  all_exact = all_convex;
+  Load load{.stiffness = &all_exact, .convex = &all_convex};
+  world_.add_to(load, at, Acting::elastic);
   if (has_inertia()) {
     all_exact.add(mass_, 1 / (time_ * time_));
     all_convex.add(mass_, 1 / (time_ * time_));
@@ -83,6 +86,7 @@ void Increment::second(const State& at, const Leeway& leeway, double shift, Stif
     leeway.add_to(all_exact, shift);
     leeway.add_to(all_convex, shift);
   }
+  damping_.fit();
   if (!periodic) return;
   gather(exact_, exact);
   gather(convex_, convex);

@@ -21,6 +21,7 @@ Leeway::Leeway(const Fabric& fabric) : fabric_(fabric), thickness_(thinnest_diam
 
 void Leeway::update(const Points& q, const std::vector<Gap>& gaps) {
   near_.clear();
+  ++version_;
   for (const Gap& gap : gaps) {
     // Beads that are near each other may have axes that are nearer.
     const double apart = gap.distance < gap.diameter / 2 ? axis_distance(fabric_, q, gap) : gap.distance;
@@ -53,14 +54,13 @@ double Leeway::share(const Points& move) const {
   return std::sqrt(most);
 }
 
-void Leeway::add_to(Stiffness& K, double weight) const {
-  const Mat3 block = weight * Mat3::Identity();
-  for (int i = 0; i < K.points(); ++i) K.add(i, i, shared_motion * block);
+template <class Add>
+void Leeway::each_block(const Add& add) const {
   for (const Yarn& yarn : fabric_.yarns)
     for (int k = yarn.first_point; k + 1 < yarn.first_point + yarn.points(); ++k) {
-      K.add(k, k, block);
-      K.add(k + 1, k + 1, block);
-      K.add(k, k + 1, -block);
+      add(k, k, 1);
+      add(k + 1, k + 1, 1);
+      add(k, k + 1, -1);
     }
   const int periods = static_cast<int>(fabric_.points.cols());
   for (const Near& near : near_) {
@@ -77,9 +77,19 @@ void Leeway::add_to(Stiffness& K, double weight) const {
       for (std::size_t n = m; n < count; ++n) {
         const auto [p, u] = terms[m];
         const auto [q, v] = terms[n];
-        K.add(std::min(p, q), std::max(p, q), (p == q && m != n ? 2 : 1) * u * v * block);
+        add(std::min(p, q), std::max(p, q), (p == q && m != n ? 2 : 1) * u * v);
       }
   }
+}
+
+void Leeway::add_to(Stiffness& K, double weight) const {
+  const Mat3 block = weight * Mat3::Identity();
+  for (int i = 0; i < K.points(); ++i) K.add(i, i, shared_motion * block);
+  const std::vector<int>& places = K.places(this, version_, [&](std::vector<int>& slots) {
+    each_block([&](int i, int j, double) { slots.push_back(K.slot(i, j)); });
+  });
+  auto place = places.begin();
+  each_block([&](int, int, double factor) { K.add_at(*place++, factor * block); });
 }
 
 }  // namespace wale

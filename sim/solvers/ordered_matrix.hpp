@@ -1,24 +1,24 @@
-/// A Stiffness by compressed scalar columns, its points in an order that keeps the Cholesky factor sparse.
+/// Some points of a Stiffness by compressed scalar columns, in a given order.
 #pragma once
 
 #include <cholmod.h>
 
 #include <vector>
 
-#include "sim/stiffness.hpp"
+#include "sim/solvers/used_blocks.hpp"
 
 namespace wale {
 
-/// The lower triangle, as CHOLMOD reads it; blocks on the diagonal are whole. Keeps its pattern as long as no block is
-/// other than zero that was zero: most listed pairs of yarn do not touch, and to leave them out halves the work.
+/// The lower triangle, as CHOLMOD reads it; blocks on the diagonal are whole.
 class OrderedMatrix {
  public:
-  /// Takes the values of K. True if the pattern changed.
-  bool update(const Stiffness& K);
+  /// `order` are the points, first eliminated first; blocks with others, or that are not used, are left out.
+  OrderedMatrix(const Stiffness& K, const UsedBlocks& used, std::vector<int> order);
 
-  /// The points, first eliminated first.
+  /// Takes the values of K, which must have the slots that it was made with.
+  void take(const Stiffness& K);
   const std::vector<int>& order() const { return order_; }
-  /// Good until the next update().
+  /// Good as long as this.
   cholmod_sparse view();
 
  private:
@@ -27,17 +27,11 @@ class OrderedMatrix {
     int slot = 0;
     bool transposed = false;
   };
-  bool find_used(const Stiffness& K);
-  bool is_used(int point, const Stiffness::Entry& entry) const;
-  void find_order(const Stiffness& K);
-  void lay_out(const Stiffness& K);
-  void copy_values(const Stiffness& K);
 
-  std::vector<char> used_;     // by slot: whether the pattern has a block there
-  std::vector<int> order_;     // the point at each place
-  std::vector<int> first_;     // by place: where its blocks start; one more at the end
-  std::vector<Block> blocks_;  // of the lower triangle: column by column, rows ascending
-  std::vector<int> starts_;    // by scalar column: where it starts in rows_ and values_; one more at the end
+  std::vector<int> order_;      // the point at each place
+  std::vector<int> first_{0};   // by place: where its blocks start; one more at the end
+  std::vector<Block> blocks_;   // of the lower triangle: column by column, rows ascending
+  std::vector<int> starts_{0};  // by scalar column: where it starts in rows_ and values_; one more at the end
   std::vector<int> rows_;
   std::vector<double> values_;
 };

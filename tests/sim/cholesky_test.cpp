@@ -71,28 +71,81 @@ TEST(Cholesky, FollowsAPatternThatGrows) {
   EXPECT_LT((back + x - b).norm(), 1e-10 * b.norm());
 }
 
-TEST(Cholesky, RefusesWhatIsNotPositiveDefinite) {
-  Stiffness K = Ties(80, 9, 1).matrix();
+constexpr int many = 6000, row = 75;  // points enough for two parts and a border
+
+/// How far (K + shift I) x is from b, over b.
+double residual(const Stiffness& K, double shift, const Eigen::VectorXd& x, const Eigen::VectorXd& b) {
+  Eigen::VectorXd back;
+  K.multiply(x, back);
+  return (back + shift * x - b).norm() / b.norm();
+}
+
+TEST(Cholesky, SolvesInTwoPartsAndAlongTheirBorder) {
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3 * many, -1, 2);
+  for (const double shift : {0.3, 1e-3}) {
+    Stiffness K = Ties(many, row, 3).matrix();
+    Cholesky cholesky;
+    ASSERT_TRUE(cholesky.factor(K, shift));
+    EXPECT_LT(residual(K, shift, solved(cholesky, b), b), 1e-11);
+    K.scale(2);  // the same order and symbolic factor
+    ASSERT_TRUE(cholesky.factor(K, shift));
+    EXPECT_LT(residual(K, shift, solved(cholesky, b), b), 1e-11);
+  }
+}
+
+TEST(Cholesky, SolvesWhatFallsApartByItself) {
+  Stiffness K(2 * many);
+  Ties ties(2 * many, row, 3);
+  for (int i = 0; i < 2 * many; ++i)
+    for (const int j : {i + 1, i + row})
+      if (j < 2 * many && i / many == j / many) ties.tie(K, i, j);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(6 * many, -1, 2);
   Cholesky cholesky;
-  EXPECT_TRUE(cholesky.factor(K, 1));
-  K.add(40, 40, Mat3(-1000 * Mat3::Identity()));
-  EXPECT_FALSE(cholesky.factor(K, 1));
+  ASSERT_TRUE(cholesky.factor(K, 0.1));
+  EXPECT_LT(residual(K, 0.1, solved(cholesky, b), b), 1e-12);
+}
+
+TEST(Cholesky, FollowsTiesBetweenItsTwoParts) {
+  Ties ties(many, row, 5);
+  Stiffness K = ties.matrix();
+  Cholesky cholesky;
+  ASSERT_TRUE(cholesky.factor(K, 1));
+  for (int i = 0; i + 4 * row < many; i += 7) ties.tie(K, i, many - 1 - i);
+  ASSERT_TRUE(cholesky.factor(K, 1));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3 * many, -1, 2);
+  EXPECT_LT(residual(K, 1, solved(cholesky, b), b), 1e-11);
+}
+
+TEST(Cholesky, RefusesWhatIsNotPositiveDefinite) {
+  for (const int points : {80, many}) {
+    const Stiffness good = Ties(points, 9, 1).matrix();
+    for (int at = points / 16; at < points; at += points / 8) {
+      Stiffness K = good;
+      Cholesky cholesky;
+      EXPECT_TRUE(cholesky.factor(K, 1));
+      K.add(at, at, Mat3(-1000 * Mat3::Identity()));
+      EXPECT_FALSE(cholesky.factor(K, 1));
+      EXPECT_TRUE(cholesky.factor(good, 1));
+    }
+  }
 }
 
 TEST(Cholesky, GivesTheSameBitsForAnyNumberOfThreads) {
   OneThread restore;
-  const Stiffness K = Ties(2000, 45, 7).matrix();
-  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(6000, -1, 2);
-  const auto with = [&](int threads) {
-    omp_set_num_threads(threads);
-    Cholesky cholesky;
-    EXPECT_TRUE(cholesky.factor(K, 0.01));
-    return solved(cholesky, b);
-  };
-  const Eigen::VectorXd one = with(1);
-  EXPECT_EQ(with(1), one);
-  EXPECT_EQ(with(2), one);
-  EXPECT_EQ(with(3), one);
+  for (const int points : {2000, many}) {
+    const Stiffness K = Ties(points, 45, 7).matrix();
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3 * points, -1, 2);
+    const auto with = [&](int threads) {
+      omp_set_num_threads(threads);
+      Cholesky cholesky;
+      EXPECT_TRUE(cholesky.factor(K, 0.01));
+      return solved(cholesky, b);
+    };
+    const Eigen::VectorXd one = with(1);
+    EXPECT_EQ(with(1), one);
+    EXPECT_EQ(with(2), one);
+    EXPECT_EQ(with(3), one);
+  }
 }
 
 TEST(Cholesky, LeavesTheThreadsOfItsCallerAsTheyAre) {

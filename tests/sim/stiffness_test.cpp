@@ -57,19 +57,19 @@ TEST(Stiffness, ListsEachBlockRowWithItsColumnsAscending) {
   EXPECT_EQ(k, expected());
 }
 
-TEST(Stiffness, KeepsItsPatternWhenClearedAndChangesVersionOnlyWithThePattern) {
+TEST(Stiffness, KeepsItsPatternWhenClearedAndMakesSlotsOnlyForNewBlocks) {
   Stiffness stiffness = example();
-  const long before = stiffness.version();
+  const std::size_t before = stiffness.slots();
   const int slot = stiffness.slot(0, 3);
   stiffness.clear();
   stiffness.add(0, 3, block(2, 2));
-  EXPECT_EQ(stiffness.version(), before);
+  EXPECT_EQ(stiffness.slots(), before);
   EXPECT_EQ(stiffness.slot(0, 3), slot);
   EXPECT_EQ(dense(stiffness).block(0, 9, 3, 3), block(2, 2));
   EXPECT_EQ(dense(stiffness).cwiseAbs().sum(), 2 * block(2, 2).cwiseAbs().sum());
 
   stiffness.slot(1, 2);
-  EXPECT_GT(stiffness.version(), before);
+  EXPECT_GT(stiffness.slots(), before);
   EXPECT_EQ(stiffness.slot(0, 3), slot);
 }
 
@@ -94,6 +94,17 @@ TEST(Stiffness, FindsARunOfBlocksWhetherTheyAreThereOrNot) {
   ASSERT_EQ(run.size(), 4U);
   for (int j = 0; j < 4; ++j) EXPECT_EQ(run[static_cast<std::size_t>(j)], stiffness.slot(0, j));
   EXPECT_EQ(dense(stiffness), expected());
+}
+
+TEST(Stiffness, SharesItsPatternWithItsCopiesButNoValue) {
+  Stiffness one = example(), other = one;
+  const Eigen::MatrixXd before = dense(one);
+  other.add(1, 2, block(3, 1));
+  one.fit();
+  EXPECT_EQ(dense(one), before);
+  EXPECT_EQ(one.slots(), other.slots());
+  EXPECT_EQ(one.slot(1, 2), other.slot(1, 2));
+  EXPECT_EQ(dense(other) - before, dense(other).cwiseProduct((before.array() == 0).cast<double>().matrix()));
 }
 
 }  // namespace
