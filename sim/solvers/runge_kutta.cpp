@@ -31,6 +31,7 @@ class RungeKuttaSolver final : public Solver {
  public:
   RungeKuttaSolver(const RungeKutta& spec, World& world, State start)
       : spec_(spec),
+        tableau_(tableau_of(spec.method)),
         tolerance_{spec.relative, spec.absolute},
         world_(world),
         state_(std::move(start)),
@@ -104,9 +105,9 @@ class RungeKuttaSolver final : public Solver {
   }
 
   RungeKutta spec_;
+  const Tableau& tableau_;
   Tolerance tolerance_;
   World& world_;
-  const Tableau& tableau_ = classic43();
   State state_, stage_;
   Points acceleration_;
   Effort effort_;
