@@ -175,6 +175,28 @@ TEST(StepControl, ChangesAStepByTheFourthRootOfItsErrorWithinAThirdAndThree) {
   EXPECT_EQ(step_factor(std::numeric_limits<double>::quiet_NaN(), 3), 1.0 / 3);
 }
 
+TEST(StepControl, TriesShorterStepsUntilOneMayBeKeptWhichDoesNotLengthenTheNext) {
+  StepTries tries(1, 0.5, 10, 3);
+  EXPECT_EQ(tries.to(), 1.5);
+  EXPECT_FALSE(tries.keep(16));
+  EXPECT_NEAR(tries.to(), 1 + 0.45 * 0.5, 1e-15);
+  tries.halve();
+  EXPECT_NEAR(tries.to(), 1 + 0.225 * 0.5, 1e-15);
+  EXPECT_FALSE(tries.shorter_than(0.1));
+  EXPECT_TRUE(tries.shorter_than(0.2));
+  EXPECT_TRUE(tries.keep(1e-8));
+  EXPECT_NEAR(tries.step(), 0.225 * 0.5, 1e-15);
+}
+
+TEST(StepControl, GoesAllTheWayRatherThanLeaveAHundredthOfAStep) {
+  EXPECT_EQ(StepTries(0, 0.5, 0.5049, 3).to(), 0.5049);
+  EXPECT_EQ(StepTries(0, 0.5, 0.5051, 3).to(), 0.5);
+  EXPECT_FALSE(StepTries(0, 0.5, 1e-20, 3).shorter_than(1e-10));
+  StepTries cut_short(0, 0.5, 0.01, 3);
+  EXPECT_TRUE(cut_short.keep(1));
+  EXPECT_EQ(cut_short.step(), 0.5);
+}
+
 /// y' = λ y from 1: |y| = 1/Rtol, |y'| = λ/Rtol, |y''| = λ²/Rtol in the scaled norm, so h⁵ λ²/Rtol = 0.01.
 TEST(StepControl, BeginsWithHairersFirstStep) {
   const double lambda = -3, relative = 1e-6;
