@@ -149,7 +149,10 @@ RungeKutta read_runge_kutta(const YamlNode& node, Diagnostics& say) {
     spec.method = read_word(*method, "the method", {"kutta", "dormand_prince"}, say).value_or(0) == 1
                       ? RungeKutta::Method::dormand_prince
                       : RungeKutta::Method::kutta;
-  settings.quantity("relative", dimensions::ratio, tolerances, spec.relative);
+  // With more an undamped mode runs away unnoticed: see docs/solvers.md.
+  constexpr Range watchful{tolerances.least, 1e-3};
+  const bool is_kutta = spec.method == RungeKutta::Method::kutta;
+  settings.quantity("relative", dimensions::ratio, is_kutta ? tolerances : watchful, spec.relative);
   settings.quantity("absolute", dimensions::length, {1e-15, 1e-2}, spec.absolute);
   settings.quantity("first_step", dimensions::time, {0, 1e3}, spec.first_step);
   return spec;

@@ -161,6 +161,26 @@ TEST(RungeKutta, IsStableUpToAPhaseAndADecayAStep) {
   EXPECT_GT(decays(3.31, dormand_prince54()), 1e3);
 }
 
+/// By its error alone, with nothing else to hold the step: after some 10000 steps, over the amplitude at first.
+double growth_under(double relative, const Tableau& tableau) {
+  const auto swing = [](double, const VectorXd& y, VectorXd& rate) { rate = VectorXd{{y[1], -y[0]}}; };
+  ExplicitStepper stepper(tableau, swing, 0, VectorXd{{1, 0}});
+  double step = 0.1;
+  for (int i = 0; i < 10000; ++i) {
+    stepper.attempt(stepper.t() + step);
+    const double error = scaled_error(stepper.attempted(), stepper.error(), {relative, 0});
+    step *= step_factor(error, tableau.error_order);
+    if (error <= 1) stepper.accept();
+  }
+  return stepper.y().norm();
+}
+
+TEST(RungeKutta, LetsNoSwingRunAwayAtAToleranceThatASceneMayAskFor) {
+  EXPECT_LT(growth_under(0.1, kutta43()), 1);
+  EXPECT_LT(growth_under(1e-3, dormand_prince54()), 1);
+  EXPECT_GT(growth_under(1e-2, dormand_prince54()), 10);
+}
+
 TEST(StepControl, ScalesTheErrorByTheLargerOfBothSolutions) {
   const VectorXd y{{2, -1}}, error{{-2, 0.5}};  // the embedded solution is (4, -1.5)
   const double a = 2 / (0.1 + 0.01 * 4), b = 0.5 / (0.1 + 0.01 * 1.5);
