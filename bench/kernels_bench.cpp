@@ -4,50 +4,30 @@
 
 #include <map>
 
-#include "compiler/compile.hpp"
+#include "bench/jersey_swatch.hpp"
 #include "sim/effects/beads.hpp"
 #include "sim/kernels/instruction_set.hpp"
-#include "sim/world.hpp"
 
 namespace wale {
 namespace {
 
-/// A swatch of jersey between two grips and two plates, tightened and nearly at rest.
+/// A swatch between two grips and two plates, nearly at rest.
 class Pulled {
  public:
-  Pulled(int wales, int courses) {
-    const Source chart{"jersey.yaml", "knit: 1\nbands: [{stitch: jersey, courses: 13}]\nwales: 12\n"};
-    Diagnostics say;
-    const auto scene =
-        compile_chart(chart, {.wales = wales, .courses = courses, .stitch_length = 7.23e-3, .materials = {}}, 12, say);
-    fabric_ = scene->fabric;
-    state_ = at_rest(fabric_);
-    state_.q *= shrinkage;
-    std::vector<EffectSpec> effects{Stretch{}, Bend{}, Contact{}, Plates{}};
-    for (const std::vector<int>& end : scene->gauge.wale_ends)
-      effects.push_back(Tether{.segments = end, .stiffness = 1e4});
-    world_ = std::make_unique<World>(fabric_, std::move(effects), Schedule(1.0), state_);
-    relax();
-  }
+  Pulled(int wales, int courses) : jersey_(wales, courses, shrinkage, JerseySwatch::Mounting::gripped) { relax(); }
 
-  double force() {
-    double energy = 0;
-    Load load{.energy = &energy, .force = &force_};
-    world_->prepare(state_);
-    world_->evaluate(state_, load);
-    return energy;
-  }
+  double evaluate() { return jersey_.evaluate(); }
   double add(std::size_t effect) {
     double energy = 0;
     Load load{.energy = &energy, .force = &force_};
-    world_->effects()[effect]->add(state_, load);
+    jersey_.world().effects()[effect]->add(jersey_.state(), load);
     return energy;
   }
-  void prepare() { world_->prepare(state_); }
+  void prepare() { jersey_.world().prepare(jersey_.state()); }
 
-  const Fabric& fabric() const { return fabric_; }
-  const Beads& beads() const { return *world_->parts().made_beads.begin()->second; }
-  std::size_t effects() const { return world_->effects().size(); }
+  const Fabric& fabric() const { return jersey_.fabric(); }
+  const Beads& beads() const { return *jersey_.world().parts().made_beads.begin()->second; }
+  std::size_t effects() const { return jersey_.world().effects().size(); }
 
   /// Bead pairs, and what share of the listed pairs touches.
   void count(benchmark::State& state) const {
@@ -58,7 +38,7 @@ class Pulled {
       touching += beads().distance(p) < beads().diameter(a, b);
     }
     const auto pairs = static_cast<double>(beads().pairs().size());
-    state.counters["segments"] = fabric_.segment_count();
+    state.counters["segments"] = fabric().segment_count();
     state.counters["pairs"] = pairs;
     state.counters["beads_a_pair"] = bead_pairs / pairs;
     state.counters["touching"] = touching / pairs;
@@ -70,24 +50,24 @@ class Pulled {
 
   /// Downhill with momentum (Bitzek et al. 2006), no point further than a hundredth of a diameter at once.
   void relax() {
-    const double reach = 0.01 * fabric_.materials.front().diameter;
-    Points speed = Points::Zero(3, state_.q.cols());
+    const double reach = 0.01 * fabric().materials.front().diameter;
+    Points speed = Points::Zero(3, jersey_.state().q.cols());
     for (int i = 0; i < 300; ++i) {
-      force();
-      const double power = speed.cwiseProduct(force_).sum();
+      jersey_.evaluate();
+      const Points& force = jersey_.force();
+      const double power = speed.cwiseProduct(force).sum();
       if (power < 0) speed.setZero();
-      speed = 0.9 * speed + force_ * (0.1 * std::max(speed.norm(), 1e-12) / force_.norm()) + 1e-3 * force_;
+      speed = 0.9 * speed + force * (0.1 * std::max(speed.norm(), 1e-12) / force.norm()) + 1e-3 * force;
       const double furthest = std::sqrt(speed.colwise().squaredNorm().maxCoeff());
       if (furthest > reach) speed *= reach / furthest;
-      state_.q += speed;
+      jersey_.move(speed);
     }
-    force();
+    jersey_.evaluate();
+    force_ = jersey_.force();
   }
 
-  Fabric fabric_;
-  State state_;
-  std::unique_ptr<World> world_;
-  Points force_;
+  JerseySwatch jersey_;
+  Points force_;  // that add() adds to
 };
 
 /// Arguments: wales, courses, instruction set, threads.
@@ -115,7 +95,7 @@ benchmark::Counter time_of(double each) {
 void whole(benchmark::State& state) {
   Pulled* of = pulled(state);
   if (!of) return;
-  for (auto _ : state) benchmark::DoNotOptimize(of->force());
+  for (auto _ : state) benchmark::DoNotOptimize(of->evaluate());
 }
 
 /// What contact costs: locate the beads, measure all listed pairs, push those that touch.

@@ -4,9 +4,8 @@
 
 #include <map>
 
-#include "compiler/compile.hpp"
+#include "bench/jersey_swatch.hpp"
 #include "sim/solvers/cholesky.hpp"
-#include "sim/world.hpp"
 
 namespace wale {
 namespace {
@@ -15,28 +14,18 @@ constexpr double shift = 50;  // N/m, as in the middle of a pull
 // Of the yarn as laid: then a control point has about as many neighbours by contact as in a relaxed swatch.
 constexpr double shrinkage = 0.65;
 
-/// Shrunk as if tightened, so that its loops touch.
+/// A swatch and its second derivatives.
 class Swatch {
  public:
-  Swatch(int wales, int courses) {
-    const Source chart{"jersey.yaml", "knit: 1\nbands: [{stitch: jersey, courses: 13}]\nwales: 12\n"};
-    Diagnostics say;
-    fabric_ =
-        compile_chart(chart, {.wales = wales, .courses = courses, .stitch_length = 7.23e-3, .materials = {}}, 12, say)
-            ->fabric;
-    state_ = at_rest(fabric_);
-    state_.q *= shrinkage;
-    std::vector<EffectSpec> effects{Stretch{}, Bend{}, Contact{}};
-    world_ = std::make_unique<World>(fabric_, std::move(effects), Schedule(1.0), state_);
-    world_->prepare(state_);
-    exact_ = std::make_unique<Stiffness>(points());
-    convex_ = std::make_unique<Stiffness>(points());
+  Swatch(int wales, int courses)
+      : jersey_(wales, courses, shrinkage, JerseySwatch::Mounting::free), exact_(points()), convex_(points()) {
+    jersey_.evaluate();
     assemble();
   }
 
-  int points() const { return static_cast<int>(state_.q.cols()); }
-  const Stiffness& exact() const { return *exact_; }
-  const Stiffness& convex() const { return *convex_; }
+  int points() const { return static_cast<int>(jersey_.state().q.cols()); }
+  const Stiffness& exact() const { return exact_; }
+  const Stiffness& convex() const { return convex_; }
 
   /// Blocks of a block row that are not zero, on average.
   double filled() const {
@@ -46,24 +35,15 @@ class Swatch {
     return static_cast<double>(count) / points();
   }
 
-  double force() {
-    double energy = 0;
-    Load load{.energy = &energy, .force = &force_};
-    world_->prepare(state_);
-    world_->evaluate(state_, load);
-    return energy;
-  }
+  double evaluate() { return jersey_.evaluate(); }
   void assemble() {
-    Load load{.stiffness = exact_.get(), .convex = convex_.get()};
-    world_->evaluate(state_, load);
+    Load load{.stiffness = &exact_, .convex = &convex_};
+    jersey_.world().evaluate(jersey_.state(), load);
   }
 
  private:
-  Fabric fabric_;
-  State state_;
-  std::unique_ptr<World> world_;
-  std::unique_ptr<Stiffness> exact_, convex_;
-  Points force_;
+  JerseySwatch jersey_;
+  Stiffness exact_, convex_;
 };
 
 /// Arguments: wales, courses, threads.
@@ -79,7 +59,7 @@ Swatch& swatch(benchmark::State& state) {
 
 void evaluate_forces(benchmark::State& state) {
   Swatch& of = swatch(state);
-  for (auto _ : state) benchmark::DoNotOptimize(of.force());
+  for (auto _ : state) benchmark::DoNotOptimize(of.evaluate());
 }
 
 void assemble_stiffness(benchmark::State& state) {

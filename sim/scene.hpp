@@ -89,8 +89,13 @@ struct Knots {
 
 using EffectSpec = std::variant<Stretch, Bend, Gravity, Drag, Contact, ContactDamping, Friction, Tether, Plates, Knots>;
 
-/// Explicit Runge-Kutta 4(3), adaptive (Ding et al. 2023, A.1; Hairer, Nørsett & Wanner I, II.4).
+/// Explicit Runge-Kutta methods with an embedded error estimate, adaptive (Hairer, Nørsett & Wanner I, II.4, II.5).
 struct RungeKutta {
+  enum class Method : std::uint8_t {
+    kutta,          ///< 4(3), Ding et al. 2023, A.1: longer steps where stability bounds them
+    dormand_prince  ///< 5(4): fewer evaluations where accuracy does
+  };
+  Method method = Method::kutta;
   double relative = 1e-4;  ///< error per step over the size of the state
   double absolute = 1e-8;  ///< m, and m/s for velocities
   double first_step = 0;   ///< s; 0: Hairer's choice

@@ -20,8 +20,10 @@ Answer solve(const SolverSpec& spec, World& world, const State& start, double un
 
 }  // namespace
 
-Answer move_by_runge_kutta(World& world, const State& start, double until, const Accuracy& accuracy) {
-  return solve(RungeKutta{.relative = accuracy.relative, .absolute = accuracy.absolute}, world, start, until);
+Answer move_by_runge_kutta(World& world, const State& start, double until, const Accuracy& accuracy,
+                           RungeKutta::Method method) {
+  return solve(RungeKutta{.method = method, .relative = accuracy.relative, .absolute = accuracy.absolute}, world, start,
+               until);
 }
 
 Answer rest_by_quasi_static(World& world, const State& start, double until, const Rest& rest) {

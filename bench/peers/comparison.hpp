@@ -14,5 +14,9 @@ void compare_motion(const Problem&, const std::string& title, double span);
 /// at a tolerance of 0.01, or at 0.02 or 0.05 where that is not found. Implicit motion under drag is among the methods:
 /// it comes to rest as well.
 void compare_rest(const Problem&, const std::string& title, int samples);
+/// The curve over `samples` even load steps, each begun where the one before ended. Its error is the largest difference
+/// at a sample from `quasi_static` at a tolerance of 1e-5, over the largest value; whether the curve ends at a least or
+/// at a saddle is said as well.
+void compare_curves(const Problem&, const std::string& title, int samples);
 
 }  // namespace wale::peers

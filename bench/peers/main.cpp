@@ -1,4 +1,5 @@
 /// `wale_peers`: other codes and other people's problems beside ours; see docs/peers.md.
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
@@ -25,8 +26,8 @@ int main(int count, char** words) {
   CLI::App app("The problems of docs/peers.md, as Markdown tables");
   app.require_subcommand(1);
   Swatch swatch;
-  double span = 1e-3, duration = 1;
-  int samples = 8;
+  double span = 1e-3, duration = 1, percent = 40;
+  int samples = 8, segments = 24;
   bool gripped = false;
 
   CLI::App* patch = app.add_subcommand("patch", "the peers' patch, ramped to 95 % and relaxed");
@@ -35,10 +36,14 @@ int main(int count, char** words) {
       app.add_subcommand("move", "the motion of a swatch whose edges alone are held after it was tightened");
   CLI::App* relax = app.add_subcommand("relax", "rest of a swatch whose edges alone are held after it was tightened");
   CLI::App* pull = app.add_subcommand("pull", "rest of a swatch pulled along the wales to 40 %");
+  CLI::App* cell = app.add_subcommand("cell", "the curve of a periodic cell of 2 x 2 stitches pulled along the wales");
   for (CLI::App* command : {patch, move_the_patch, move, relax, pull}) add_sizes(command, swatch);
   move->add_option("--span", span, "s")->capture_default_str();
   move->add_flag("--pull", gripped, "relaxed first, then pulled to 40 % within --duration");
-  pull->add_option("--samples", samples, "load steps at least")->capture_default_str();
+  for (CLI::App* command : {pull, cell})
+    command->add_option("--samples", samples, "load steps at least")->capture_default_str();
+  cell->add_option("--to", percent, "%")->capture_default_str();
+  cell->add_option("--segments", segments, "a stitch")->capture_default_str();
   for (CLI::App* command : {move, pull})
     command->add_option("--duration", duration, "of the pull where it is a motion, s")->capture_default_str();
   CLI11_PARSE(app, count, words);
@@ -49,4 +54,5 @@ int main(int count, char** words) {
   if (*move && !gripped) compare_motion(*relaxing(swatch.wales, swatch.courses), "Let go", span);
   if (*relax) compare_rest(*relaxing(swatch.wales, swatch.courses), "Relaxed", 1);
   if (*pull) compare_rest(*pulling(swatch.wales, swatch.courses, duration), "Pulled to 40 %", samples);
+  if (*cell) compare_curves(*pulling_cell(segments, percent), fmt::format("Cell pulled to {:g} %", percent), samples);
 }

@@ -33,7 +33,7 @@ struct Rest {
 enum class Pair { zonneveld_43, sayfy_aburub_43, cash_karp_54, dormand_prince_54 };
 
 // The motion q'' = M⁻¹ f from `start` to time `until`.
-Answer move_by_runge_kutta(World&, const State& start, double until, const Accuracy&);
+Answer move_by_runge_kutta(World&, const State& start, double until, const Accuracy&, RungeKutta::Method);
 Answer move_by_arkode(World&, const State& start, double until, const Accuracy&, Pair);
 /// Variable-order BDF; Newton's matrix by GMRES with difference quotients of f, preconditioned by CHOLMOD's factor of
 /// M/γ² + C/γ + K with the convex part of K.
@@ -43,5 +43,7 @@ Answer move_by_cvode(World&, const State& start, double until, const Accuracy&);
 Answer rest_by_quasi_static(World&, const State& start, double until, const Rest&);
 /// Newton with line search; its matrix by GMRES on the exact second derivative, preconditioned as quasi_static does.
 Answer rest_by_kinsol(World&, const State& start, double until, const Rest&);
+/// Motion without mass downhill, x' = f, by CVODE's BDF until the residual is met; linear systems as for KINSOL.
+Answer rest_by_flow(World&, const State& start, double until, const Rest&);
 
 }  // namespace wale::peers

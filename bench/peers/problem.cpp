@@ -13,20 +13,23 @@ namespace {
 
 constexpr double peers_drag = 0.01;  // k_g, kg/(m s); the force has a factor 2
 
+Scene scene_from(const std::string& text) {
+  Sources sources;
+  Diagnostics say;
+  const auto scene = compile_scene(*sources.add(WALE_SOURCE_DIR "/bench/peers/scene.yaml", text), sources, say);
+  if (!scene) throw std::runtime_error(print(say.all().front()));
+  return *scene;
+}
+
 Scene scene_of(int wales, int courses, const std::string& last_stages) {
-  const std::string text = fmt::format(R"(scene: 1
+  return scene_from(fmt::format(R"(scene: 1
 fabric: {{pattern: ../../patterns/jersey.yaml, wales: {}, courses: {}, stitch_length: 7.23 mm}}
 effects: {{stretch: , bend: , contact: , knots: }}
 stages:
   - {{name: tighten, tighten: 100 %, hold: ends, duration: 1 s, samples: 2,
       solver: {{quasi_static: {{tolerance: 1, first_step: 2 %}}}}}}
 {})",
-                                       wales, courses, last_stages);
-  Sources sources;
-  Diagnostics say;
-  const auto scene = compile_scene(*sources.add(WALE_SOURCE_DIR "/bench/peers/scene.yaml", text), sources, say);
-  if (!scene) throw std::runtime_error(print(say.all().front()));
-  return *scene;
+                                wales, courses, last_stages));
 }
 
 }  // namespace
@@ -76,6 +79,18 @@ std::unique_ptr<Problem> pulling(int wales, int courses, double duration) {
                            "  - {{name: pull, duration: {} s, pull: {{along: wale, to: 40 %}}, "
                            "effects: {{plates: {{gap: 1.2 mm}}}}}}\n",
                            duration)));
+}
+
+std::unique_ptr<Problem> pulling_cell(int segments_per_stitch, double percent) {
+  return std::make_unique<Problem>(scene_from(fmt::format(R"(scene: 1
+fabric: {{pattern: ../../patterns/jersey.yaml, wales: 2, courses: 2, periodic: true, segments_per_stitch: {}}}
+effects: {{stretch: , bend: , contact: }}
+stages:
+  - {{name: tighten, tighten: 100 %, duration: 1 s, samples: 10}}
+  - {{name: relax, duration: 1 s, samples: 1, solver: {{quasi_static: {{tolerance: 1e-4}}}}}}
+  - {{name: pull, duration: 1 s, pull: {{along: wale, to: {} %}}}}
+)",
+                                                          segments_per_stitch, percent)));
 }
 
 }  // namespace wale::peers

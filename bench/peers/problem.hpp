@@ -41,5 +41,7 @@ class Problem {
 std::unique_ptr<Problem> relaxing(int wales, int courses);
 /// The same swatch relaxed, then gripped and pulled along the wales to 40 % within `duration`, s.
 std::unique_ptr<Problem> pulling(int wales, int courses, double duration);
+/// One repeat of 2 x 2 stitches of jersey without end, relaxed, then pulled along the wales to `percent` of strain.
+std::unique_ptr<Problem> pulling_cell(int segments_per_stitch, double percent);
 
 }  // namespace wale::peers

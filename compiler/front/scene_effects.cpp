@@ -144,8 +144,15 @@ QuasiStatic read_quasi_static(const YamlNode& node, Diagnostics& say) {
 
 RungeKutta read_runge_kutta(const YamlNode& node, Diagnostics& say) {
   RungeKutta spec;
-  const Settings settings(node, "runge_kutta", {"relative", "absolute", "first_step"}, say);
-  settings.quantity("relative", dimensions::ratio, tolerances, spec.relative);
+  const Settings settings(node, "runge_kutta", {"method", "relative", "absolute", "first_step"}, say);
+  if (const YamlNode* method = settings.find("method"))
+    spec.method = read_word(*method, "the method", {"kutta", "dormand_prince"}, say).value_or(0) == 1
+                      ? RungeKutta::Method::dormand_prince
+                      : RungeKutta::Method::kutta;
+  // With more an undamped mode runs away unnoticed: see docs/solvers.md.
+  constexpr Range watchful{tolerances.least, 1e-3};
+  const bool is_kutta = spec.method == RungeKutta::Method::kutta;
+  settings.quantity("relative", dimensions::ratio, is_kutta ? tolerances : watchful, spec.relative);
   settings.quantity("absolute", dimensions::length, {1e-15, 1e-2}, spec.absolute);
   settings.quantity("first_step", dimensions::time, {0, 1e3}, spec.first_step);
   return spec;

@@ -7,10 +7,21 @@
 
 namespace wale {
 
+namespace {
+
+/// h Σ weight_i k_i, of the size of `sum`.
+void combine(double h, const std::vector<double>& weights, const std::vector<Eigen::VectorXd>& stages,
+             Eigen::VectorXd& sum) {
+  sum.setZero();
+  for (std::size_t i = 0; i < weights.size(); ++i) sum += (h * weights[i]) * stages[i];
+}
+
+}  // namespace
+
 ExplicitStepper::ExplicitStepper(const Tableau& tableau, RateFunction f, double t, Eigen::VectorXd y)
     : tableau_(tableau), f_(std::move(f)), t_(t), next_t_(t), last_t_(t), y_(std::move(y)), next_(y_), last_y_(y_) {
   stages_.assign(tableau.c.size(), Eigen::VectorXd::Zero(y_.size()));
-  error_ = stages_.front();
+  error_ = bulge_ = stages_.front();
   f_(t_, y_, stages_.front());
   last_rate_ = stages_.front();
 }
@@ -24,14 +35,14 @@ void ExplicitStepper::attempt(double to) {
     // The last stage opens the next step, so its time must be that step's to the last bit.
     f_(tableau_.c[i] == 1 ? to : t_ + tableau_.c[i] * h, next_, stages_[i]);
   }
-  error_.setZero();
-  for (std::size_t i = 0; i < stages_.size(); ++i) error_ += (h * tableau_.error[i]) * stages_[i];
+  combine(h, tableau_.error, stages_, error_);
 }
 
 void ExplicitStepper::accept() {
   last_t_ = t_;
   last_y_ = y_;
   last_rate_ = stages_.front();
+  combine(next_t_ - t_, tableau_.dense, stages_, bulge_);
   t_ = next_t_;
   y_ = next_;
   stages_.front() = stages_.back();
@@ -40,8 +51,9 @@ void ExplicitStepper::accept() {
 Eigen::VectorXd ExplicitStepper::at(double t) const {
   const double h = t_ - last_t_;
   if (h <= 0 || t >= t_) return y_;
-  const HermiteWeights w = hermite(std::max(0.0, (t - last_t_) / h), h);
-  return w.first * last_y_ + w.last * y_ + w.first_rate * last_rate_ + w.last_rate * rate();
+  const double s = std::max(0.0, (t - last_t_) / h), bulging = s * s * (1 - s) * (1 - s);
+  const HermiteWeights w = hermite(s, h);
+  return w.first * last_y_ + w.last * y_ + w.first_rate * last_rate_ + w.last_rate * rate() + bulging * bulge_;
 }
 
 }  // namespace wale

@@ -29,14 +29,15 @@ class ExplicitStepper {
   const Eigen::VectorXd& error() const { return error_; }
   void accept();
 
-  /// Cubic Hermite interpolation of the last accepted step, of order 4; `t` outside it gives its nearer end.
+  /// Between the ends of the last accepted step by Hermite's cubic and what the tableau adds to it; `t` outside it
+  /// gives its nearer end.
   Eigen::VectorXd at(double t) const;
 
  private:
   const Tableau& tableau_;
   RateFunction f_;
   double t_, next_t_, last_t_;
-  Eigen::VectorXd y_, next_, error_, last_y_, last_rate_;
+  Eigen::VectorXd y_, next_, error_, last_y_, last_rate_, bulge_;  // bulge_: h Σ dense_i k_i
   std::vector<Eigen::VectorXd> stages_;
 };
 

@@ -47,24 +47,19 @@ class ImplicitSolver final : public Solver {
     if (!begin_.a.allFinite()) return fail("the forces are not finite");
     begin_.at = state_;
     if (!(state_.step > 0)) state_.step = spec_.first_step > 0 ? spec_.first_step : first_step();
-    double largest_factor = 3;
-    while (true) {
-      // A step that would leave less than a hundredth of itself goes all the way.
-      const bool last = state_.t + 1.01 * state_.step >= until;
-      if (!last && state_.step <= smallest_step) return fail("the time step shrank to nothing");
-      const double to = last ? until : state_.t + state_.step, h = to - state_.t;
-      const bool found = attempt(to);
+    StepTries tries(state_.t, state_.step, until, error_order);
+    while (!tries.shorter_than(smallest_step)) {
+      const bool found = attempt(tries.to());
       if (world_.interrupted()) return Progress::stepped;
-      const double error = found ? scaled_error(h) : 0;
-      const double proposed = found ? h * std::min(largest_factor, step_factor(error, error_order)) : h / 2;
-      if (found && error <= 1) {
-        accept(last ? std::max(proposed, state_.step) : proposed);
+      if (!found) {
+        tries.halve();
+      } else if (tries.keep(scaled_error(tries.to() - state_.t))) {
+        accept(tries.step());
         return state_.t >= until ? Progress::arrived : Progress::stepped;
       }
       ++effort_.rejected;
-      state_.step = proposed;
-      largest_factor = 1;
     }
+    return fail("the time step shrank to nothing");
   }
 
   const State& state() const override { return state_; }

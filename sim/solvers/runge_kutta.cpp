@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -31,6 +30,7 @@ class RungeKuttaSolver final : public Solver {
  public:
   RungeKuttaSolver(const RungeKutta& spec, World& world, State start)
       : spec_(spec),
+        tableau_(tableau_of(spec.method)),
         tolerance_{spec.relative, spec.absolute},
         world_(world),
         state_(std::move(start)),
@@ -44,24 +44,16 @@ class RungeKuttaSolver final : public Solver {
     if (state_.t >= until) return Progress::arrived;
     if (!stepper_.rate().allFinite()) return fail("the forces are not finite");
     if (!(state_.step > 0)) state_.step = choose_first_step();
-    double largest_factor = 3;
-    for (;;) {
-      // A step that would leave less than a hundredth of itself goes all the way.
-      const bool last = state_.t + 1.01 * state_.step >= until;
-      if (!last && state_.step <= 1e-14 * std::abs(state_.t) + std::numeric_limits<double>::min())
-        return fail("the time step shrank to nothing");
-      const double to = last ? until : state_.t + state_.step;
-      stepper_.attempt(to);
-      const double error = scaled_error(stepper_.attempted(), stepper_.error(), tolerance_);
-      const double proposed = (to - state_.t) * std::min(largest_factor, step_factor(error, tableau_.error_order));
-      if (error <= 1 && stepper_.attempted().allFinite()) {
-        accept(last ? std::max(proposed, state_.step) : proposed);
+    StepTries tries(state_.t, state_.step, until, tableau_.error_order);
+    while (!tries.shorter_than(1e-14 * std::abs(state_.t) + std::numeric_limits<double>::min())) {
+      stepper_.attempt(tries.to());
+      if (tries.keep(attempted_error())) {
+        accept(tries.step());
         return state_.t >= until ? Progress::arrived : Progress::stepped;
       }
       ++effort_.rejected;
-      state_.step = proposed;
-      largest_factor = 1;
     }
+    return fail("the time step shrank to nothing");
   }
 
   const State& state() const override { return state_; }
@@ -89,7 +81,12 @@ class RungeKuttaSolver final : public Solver {
     return first_step(f_, state_.t, stepper_.y(), stepper_.rate(), tableau_.order, tolerance_);
   }
 
-  /// `next` is what the error control wants; where the end of a stage cut this step short, it is not the cut one.
+  /// Not a number if the attempted step is not finite, whatever its estimate.
+  double attempted_error() const {
+    return stepper_.attempted().allFinite() ? scaled_error(stepper_.attempted(), stepper_.error(), tolerance_)
+                                            : std::numeric_limits<double>::quiet_NaN();
+  }
+
   void accept(double next) {
     stepper_.accept();
     unpack(stepper_.y(), state_);
@@ -104,9 +101,9 @@ class RungeKuttaSolver final : public Solver {
   }
 
   RungeKutta spec_;
+  const Tableau& tableau_;
   Tolerance tolerance_;
   World& world_;
-  const Tableau& tableau_ = classic43();
   State state_, stage_;
   Points acceleration_;
   Effort effort_;

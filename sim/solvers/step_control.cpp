@@ -23,6 +23,22 @@ double step_factor(double scaled, int error_order) {
   return std::clamp(0.9 * std::pow(scaled, -1.0 / (error_order + 1)), 1.0 / 3, 3.0);
 }
 
+StepTries::StepTries(double t, double step, double until, int error_order)
+    : t_(t), step_(step), until_(until), error_order_(error_order) {}
+
+bool StepTries::keep(double error) {
+  const double proposed = (to() - t_) * std::min(largest_factor_, step_factor(error, error_order_));
+  const bool kept = error <= 1;
+  step_ = kept && last() ? std::max(proposed, step_) : proposed;
+  largest_factor_ = 1;
+  return kept;
+}
+
+void StepTries::halve() {
+  step_ = (to() - t_) / 2;
+  largest_factor_ = 1;
+}
+
 double first_step(const RateFunction& f, double t, const Eigen::VectorXd& y, const Eigen::VectorXd& rate, int order,
                   const Tolerance& tolerance) {
   const Eigen::ArrayXd scale = tolerance.absolute + tolerance.relative * y.array().abs();

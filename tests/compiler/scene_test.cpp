@@ -44,7 +44,7 @@ stages:
   - name: pull
     duration: 8 s
     pull: {along: course, to: 60 %}
-    solver: {runge_kutta: {relative: 1e-5, absolute: 10 nm, first_step: 1 us}}
+    solver: {runge_kutta: {method: dormand_prince, relative: 1e-5, absolute: 10 nm, first_step: 1 us}}
 solver: {quasi_static: {tolerance: 1e-4, iterations: 50, first_step: 10 %, smallest_step: 1e-6}}
 )";
 
@@ -115,6 +115,7 @@ TEST(Scene, ReadsStagesAndSolvers) {
   EXPECT_DOUBLE_EQ(equilibria.first_step, 0.1);
   EXPECT_DOUBLE_EQ(equilibria.smallest_step, 1e-6);
   const auto& explicit_solver = std::get<RungeKutta>(pull.solver);
+  EXPECT_EQ(explicit_solver.method, RungeKutta::Method::dormand_prince);
   EXPECT_DOUBLE_EQ(explicit_solver.relative, 1e-5);
   EXPECT_DOUBLE_EQ(explicit_solver.absolute, 1e-8);
   EXPECT_DOUBLE_EQ(explicit_solver.first_step, 1e-6);
@@ -163,7 +164,7 @@ TEST(Scene, HasDefaultsForWhatItDoesNotSay) {
   EXPECT_EQ(scene->segments_per_stitch, 12);
   EXPECT_EQ(scene->thickness, 0);
   EXPECT_EQ(scene->stages[0].effects.size(), 1u);
-  EXPECT_TRUE(std::holds_alternative<RungeKutta>(scene->stages[0].solver));
+  EXPECT_EQ(std::get<RungeKutta>(scene->stages[0].solver).method, RungeKutta::Method::kutta);
 }
 
 TEST(Scene, MayFollowTheMotionImplicitly) {
