@@ -115,7 +115,9 @@ class Run {
       const auto begun = std::chrono::steady_clock::now();
       const Outcome outcome = until(index, setup, stage.duration * sample / stage.samples, state);
       spend(stage.name, begun);
-      if (outcome == Outcome::interrupted) results_.snapshots.push_back({index, -1, state});
+      const bool moved = state.t > results_.snapshots.back().state.t;
+      if (outcome == Outcome::interrupted || (outcome == Outcome::failed && moved))
+        results_.snapshots.push_back({index, -1, state});
       if (outcome != Outcome::finished) return outcome;
       results_.snapshots.push_back({index, sample, state});
       record(index, setup, state);
