@@ -21,9 +21,8 @@ class QuasiStaticSolver final : public Solver {
         increment_(world),
         equilibrium_(increment_),
         state_(std::move(start)),
-        before_(state_) {
-    const Material& yarn = world.fabric().materials.front();
-    tolerance_ = spec.tolerance * yarn.bending_rigidity / (yarn.diameter * yarn.diameter);
+        before_(state_),
+        tolerance_(allowed_residual(spec, world.fabric())) {
     world.prepare(state_);
   }
 
@@ -53,6 +52,7 @@ class QuasiStaticSolver final : public Solver {
   }
 
   const Effort& effort() const override { return effort_; }
+  std::optional<double> residual() const override { return residual_; }
 
  private:
   State guess(double target) {
@@ -83,6 +83,7 @@ class QuasiStaticSolver final : public Solver {
     next.step = std::max(state_.step, 1.5 * step);
     before_ = std::move(state_);
     state_ = std::move(next);
+    residual_ = equilibrium_.residual();
     ++effort_.accepted;
     return state_.t >= until ? Progress::arrived : Progress::stepped;
   }
