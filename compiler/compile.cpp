@@ -52,11 +52,28 @@ std::optional<Drawn> draw(const StitchGraph& graph, const std::vector<Material>&
   return Drawn{std::move(arrangement), std::move(curves)};
 }
 
+/// A fabric that knows where each of its stitches is written.
+Fabric fit(const Curves& curves, const StitchGraph& graph, const std::vector<Material>& yarns,
+           int segments_per_stitch) {
+  Fabric fabric = passes::fit(curves, yarns, segments_per_stitch);
+  Locator locate_loop;
+  for (Segment& segment : fabric.segments) {
+    if (segment.stitch < 0) continue;
+    const Span& span = graph.loops[static_cast<std::size_t>(segment.stitch)].span;
+    if (!span.source) continue;
+    const LineColumn place = locate_loop(span);
+    segment.line = place.line;
+    segment.column = place.column;
+    fabric.source = span.source->name;
+  }
+  return fabric;
+}
+
 /// The fabric of a drawing, with every crossing that its graph demands and no other. Its gauge is not known yet.
 std::optional<Compiled> proved(std::string name, Program program, StitchGraph graph, const Drawn& drawn,
                                const std::vector<Material>& yarns, int segments_per_stitch, Diagnostics& say) {
   const std::size_t errors = say.error_count();
-  Fabric fabric = passes::fit(drawn.curves, yarns, segments_per_stitch);
+  Fabric fabric = fit(drawn.curves, graph, yarns, segments_per_stitch);
   auto crossings = demanded_crossings(graph, drawn.arrangement, fabric);
   passes::prove(graph, fabric, crossings, say);
   if (say.error_count() > errors) return std::nullopt;
@@ -106,7 +123,7 @@ std::optional<CompiledChart> compile_periodic(Chart chart, int segments_per_stit
   if (!compiled) return std::nullopt;
   const StitchGraph& graph = compiled->graph;
   compiled->fabric =
-      passes::fit(passes::cut_repeat(drawn->curves, graph, larger->repeat), chart.materials(), segments_per_stitch);
+      fit(passes::cut_repeat(drawn->curves, graph, larger->repeat), graph, chart.materials(), segments_per_stitch);
   const Fabric tiled = tile_of_loops(compiled->fabric, graph, larger->repeat);
   compiled->crossings = periodic_crossings(graph, drawn->arrangement, tiled, larger->repeat);
   passes::prove_crossings(graph, tiled, compiled->crossings, say);

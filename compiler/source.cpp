@@ -17,14 +17,16 @@ LineColumn locate(const Span& span) {
   return {static_cast<int>(lines) + 1, static_cast<int>(before.size() - line_start) + 1};
 }
 
-int LineNumbers::operator()(const Span& span) {
-  if (!span.source) return 0;
+LineColumn Locator::operator()(const Span& span) {
+  if (!span.source) return {};
   const auto [known, is_new] = line_ends_.try_emplace(span.source);
   std::vector<std::uint32_t>& ends = known->second;
   const std::string& text = span.source->text;
   for (std::size_t at = is_new ? text.find('\n') : text.npos; at != text.npos; at = text.find('\n', at + 1))
     ends.push_back(static_cast<std::uint32_t>(at));
-  return static_cast<int>(std::lower_bound(ends.begin(), ends.end(), span.begin) - ends.begin()) + 1;
+  const auto end = std::lower_bound(ends.begin(), ends.end(), span.begin);
+  const std::uint32_t line_start = end == ends.begin() ? 0 : *(end - 1) + 1;
+  return {static_cast<int>(end - ends.begin()) + 1, static_cast<int>(span.begin - line_start) + 1};
 }
 
 const Source* Sources::add(std::string name, std::string text) {

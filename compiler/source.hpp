@@ -25,13 +25,13 @@ struct Span {
 struct LineColumn {
   int line = 0, column = 0;  ///< from 1; columns count bytes
 };
+/// Zeros for a span without a source.
 LineColumn locate(const Span&);
 
-/// The lines of many spans: finds the line ends of a source once, where locate() counts from the beginning each time.
-class LineNumbers {
+/// locate() of many spans: finds the line ends of a source once, where that counts from the beginning each time.
+class Locator {
  public:
-  /// From 1; 0 for a span without a source.
-  int operator()(const Span&);
+  LineColumn operator()(const Span&);
 
  private:
   std::map<const Source*, std::vector<std::uint32_t>> line_ends_;

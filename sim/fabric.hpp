@@ -43,6 +43,8 @@ struct Segment {
                               ///< larger piece that it is cut from; -1 for cast-on, bind-off and joins
   double length = 0;          ///< rest length as laid by the compiler (l0), m; sets the mass
   double knitted = 0;         ///< rest length that the stitch length asks for (η l0), m
+  std::int32_t line = 0;      ///< of Fabric::source, where the stitch is asked for, from 1; 0 if nobody knows
+  std::int32_t column = 0;    ///< likewise, in bytes
 };
 
 /// A yarn of n segments has n + 3 control points, q_-1 ... q_n+1, in adjacent columns.
@@ -62,6 +64,7 @@ struct PeriodicCell {
 };
 
 struct Fabric {
+  std::string source;  ///< name of the text that asks for the stitches, as a user would type it; may be empty
   std::vector<Material> materials;
   std::vector<Yarn> yarns;
   std::vector<Segment> segments;     ///< all yarns, in order

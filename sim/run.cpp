@@ -82,6 +82,7 @@ class Run {
     if (grips(of) && !gripped_before)
       results_.relaxed = measure(results_.scene.fabric, results_.scene.gauge, results_.snapshots.back().state.q);
     const StageSetup setup(results_.scene, of, start_of(stage), tightened_before(stage), results_.relaxed);
+    residual_.reset();
     record(stage, setup, start_of(stage));
   }
 
@@ -115,7 +116,9 @@ class Run {
       const auto begun = std::chrono::steady_clock::now();
       const Outcome outcome = until(index, setup, stage.duration * sample / stage.samples, state);
       spend(stage.name, begun);
-      if (outcome == Outcome::interrupted) results_.snapshots.push_back({index, -1, state});
+      const bool moved = state.t > results_.snapshots.back().state.t;
+      if (outcome == Outcome::interrupted || (outcome == Outcome::failed && moved))
+        results_.snapshots.push_back({index, -1, state});
       if (outcome != Outcome::finished) return outcome;
       results_.snapshots.push_back({index, sample, state});
       record(index, setup, state);
@@ -154,6 +157,7 @@ class Run {
     while (true) {
       const Progress progress = solver->advance(t);
       state = solver->state();
+      residual_ = solver->residual();
       if (progress == Progress::stepped) keep_up(state.q);
       tell(index, state.t);
       if (progress == Progress::failed) outcome = Outcome::failed;
@@ -172,6 +176,7 @@ class Run {
     std::vector<Quantity> row{{"stage", "1", static_cast<double>(index)}};
     const auto measured = setup.measure(*world, state);
     row.insert(row.end(), measured.begin(), measured.end());
+    if (residual_) row.push_back({"residual", "N", *residual_});
     append_row(results_.samples, row);
     results_.topology = worse(results_.topology, tally(follow(state.q)));
     if (!world->parts().made_beads.empty())
@@ -196,15 +201,16 @@ class Run {
     if (!options_.progress) return;
     const Stage& stage = stage_at(index);
     options_.progress(
-        {stage.name, index, static_cast<int>(results_.scene.stages.size()), t / stage.duration, &results_});
+        {stage.name, index, static_cast<int>(results_.scene.stages.size()), t / stage.duration, residual_, &results_});
   }
 
   Results& results_;
   const RunOptions& options_;
   Fabric plain_;
   Clasps clasps_;
-  Points followed_;       // where clasps_ last looked
-  double half_diameter_;  // m
+  Points followed_;                 // where clasps_ last looked
+  double half_diameter_;            // m
+  std::optional<double> residual_;  // Solver::residual() after the last step of this stage, N
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sim/results/results.hpp"
@@ -12,7 +13,8 @@ namespace wale {
 struct RunStatus {
   std::string stage;
   int stage_index = 0, stages = 0;
-  double fraction = 0;  ///< of this stage, 0 ... 1
+  double fraction = 0;             ///< of this stage, 0 ... 1
+  std::optional<double> residual;  ///< Solver::residual() after this step, N
   const Results* results = nullptr;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sim/effect.hpp"
@@ -28,6 +29,9 @@ class Solver {
   virtual const State& state() const = 0;      ///< after the last accepted step
   virtual State at(double t) const = 0;        ///< within the last step, to the solver's own order
   virtual const Effort& effort() const = 0;
+  /// The largest residual force on a control point in state(), N; nothing from a solver that follows a motion, or
+  /// before its first step.
+  virtual std::optional<double> residual() const { return {}; }
 };
 
 /// `world` must outlive the solver.
@@ -36,5 +40,7 @@ std::unique_ptr<Solver> make(const RungeKutta&, World& world, State);
 std::unique_ptr<Solver> make(const Implicit&, World& world, State);
 /// The steps of the spec are taken as seconds.
 std::unique_ptr<Solver> make(const QuasiStatic&, World& world, State);
+/// QuasiStatic::tolerance as a force, N.
+double allowed_residual(const QuasiStatic&, const Fabric&);
 
 }  // namespace wale

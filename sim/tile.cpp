@@ -36,6 +36,7 @@ Fabric tile(const Fabric& periodic, const Points& q, int across, int up) {
   if (!periodic.cell || q.cols() != periodic.points.cols() + 2 || across < 1 || up < 1)
     throw std::invalid_argument("tile: not the points and periods of a periodic fabric");
   Fabric tiled;
+  tiled.source = periodic.source;
   tiled.materials = periodic.materials;
   const auto yarns = static_cast<Eigen::Index>(periodic.yarns.size());
   tiled.points.resize(3, up * (across * Eigen::Index{periodic.segment_count()} + 3 * yarns));

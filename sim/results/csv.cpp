@@ -46,6 +46,8 @@ std::vector<Printed> printed_columns(const Table& table, const std::vector<std::
     if (of_strain && is_known(*of_strain, rows)) columns.push_back({"strain_" + name, of_strain});
     if (of_stress && is_known(*of_stress, rows)) columns.push_back({"stress_" + name + "_MPa", of_stress, 1e-6});
   }
+  if (const Column* residual = table.find("residual"); residual && is_known(*residual, rows))
+    columns.push_back({"residual_N", residual});
   for (const Column& column : table.columns)
     if (column.name.starts_with("energy.") && is_known(column, rows)) columns.push_back({plain_name(column), &column});
   return columns;

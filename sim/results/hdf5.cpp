@@ -35,6 +35,10 @@ void describe_cell(const Reader& in, std::optional<PeriodicCell>& cell) {
   cell = PeriodicCell{periods.col(0), periods.col(1)};
 }
 
+/// Older files do not say where stitches are asked for.
+bool has_places(const Writer&) { return true; }
+bool has_places(const Reader& segments) { return segments.group().has("column"); }
+
 template <class Archive, class AnyFabric>
 void describe_fabric(Archive in, AnyFabric& fabric) {
   auto materials = in.group("materials");
@@ -57,6 +61,11 @@ void describe_fabric(Archive in, AnyFabric& fabric) {
   segments.field("stitch", "", fabric.segments, &Segment::stitch);
   segments.field("length", "m", fabric.segments, &Segment::length);
   segments.field("knitted", "m", fabric.segments, &Segment::knitted);
+  if (has_places(segments)) {
+    in.value("source", fabric.source);
+    segments.field("line", "", fabric.segments, &Segment::line);
+    segments.field("column", "", fabric.segments, &Segment::column);
+  }
   in.points("points", "m", fabric.points);
   describe_cell(in, fabric.cell);
 }
@@ -240,16 +249,10 @@ Results read_hdf5(const std::string& path) {
   }
 }
 
-void write_fabric_hdf5(const Fabric& fabric, const std::vector<int>& lines, const std::string& source,
-                       const std::string& path) {
-  std::vector<int> of_segment;
-  for (const Segment& segment : fabric.segments)
-    of_segment.push_back(segment.stitch < 0 ? 0 : lines.at(static_cast<std::size_t>(segment.stitch)));
+void write_fabric_hdf5(const Fabric& fabric, const std::string& path) {
   write_whole(path, [&](const Group& root) {
     root.set("format", std::string(fabric_format));
-    root.set("source", source);
     describe_fabric(Writer(root.create("fabric")), fabric);
-    root.open("fabric").open("segments").write("line", of_segment, "");
   });
 }
 

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "sim/results/results.hpp"
 
@@ -19,9 +18,7 @@ void write_hdf5(const Results&, const std::string& path);
 /// What write_hdf5() wrote, bit for bit; Scene::stages is empty: compile them again from Manifest::sources.
 Results read_hdf5(const std::string& path);
 
-/// The fabric as compiled: control points, materials, and the stitch and source line of every segment.
-/// `lines` has the line (from 1) in the text called `source` for each stitch; a segment of no stitch gets 0.
-void write_fabric_hdf5(const Fabric&, const std::vector<int>& lines, const std::string& source,
-                       const std::string& path);
+/// The fabric as compiled: control points, materials, and the stitch of every segment with its place in the source.
+void write_fabric_hdf5(const Fabric&, const std::string& path);
 
 }  // namespace wale

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "sim/results/balance.hpp"
 #include "sim/results/curves.hpp"
 #include "sim/results/file.hpp"
 
@@ -49,6 +50,14 @@ Json solver(const Effort& effort) {
   return json;
 }
 
+Json balance(const Results& results) {
+  Json stages = Json::object();
+  for (const Balance& stage : balances(results))
+    stages[stage.stage] = {
+        {"residual_N", stage.residual}, {"tolerance_N", stage.tolerance}, {"residual_over_load", stage.share()}};
+  return stages;
+}
+
 Json sizes(const Sizes& relaxed) {
   return {{"course_spacing_m", relaxed.course_spacing},
           {"wale_spacing_m", relaxed.wale_spacing},
@@ -82,6 +91,7 @@ std::string summary_json(const Results& results) {
                   {"contact_samples", results.contact_samples},
                   {"wall_seconds", wall_seconds(results)},
                   {"solver", solver(results.effort)},
+                  {"balance", balance(results)},
                   {"sizes", sizes(results.relaxed)},
                   {"curve", curve(results)},
                   {"topology",

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/solvers/clearance.hpp"
+#include "sim/solvers/whereabouts.hpp"
 
 namespace wale {
 namespace {
@@ -183,12 +184,12 @@ void Equilibrium::correct(Trial& trial, double tolerance, Effort& effort) {
 Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int iterations, Effort& effort) {
   Trial now{state, 0, {}};
   now.energy = evaluate(state, &now.force, effort);
-  if (!std::isfinite(now.energy)) return Answer::gave_up;
   reach_ = 1;
   bool factored = false;
   for (int i = 0; i < iterations; ++i) {
-    residual_ = std::sqrt(now.force.colwise().squaredNorm().maxCoeff(&worst_point_));
-    if (!now.force.allFinite()) return Answer::gave_up;
+    residual_ = std::sqrt(now.force.colwise().squaredNorm().maxCoeff());
+    worst_point_ = worst_column(now.force);
+    if (!std::isfinite(now.energy) || !now.force.allFinite()) return Answer::gave_up;
     if (residual_ < goal.residual) return Answer::found;
     if (world_.interrupted()) return Answer::gave_up;
     if (!factored) {

@@ -8,6 +8,7 @@
 #include "sim/solvers/equilibrium.hpp"
 #include "sim/solvers/hermite.hpp"
 #include "sim/solvers/step_control.hpp"
+#include "sim/solvers/whereabouts.hpp"
 
 namespace wale {
 namespace {
@@ -44,7 +45,7 @@ class ImplicitSolver final : public Solver {
     equilibrium_.forget();
     world_.accelerate(state_, begin_.a);
     ++effort_.evaluations;
-    if (!begin_.a.allFinite()) return fail("the forces are not finite");
+    if (!begin_.a.allFinite()) return fail("the forces are not finite", without_force());
     begin_.at = state_;
     if (!(state_.step > 0)) state_.step = spec_.first_step > 0 ? spec_.first_step : first_step();
     StepTries tries(state_.t, state_.step, until, error_order);
@@ -52,6 +53,7 @@ class ImplicitSolver final : public Solver {
       const bool found = attempt(tries.to());
       if (world_.interrupted()) return Progress::stepped;
       if (!found) {
+        worst_point_ = equilibrium_.worst_point();
         tries.halve();
       } else if (tries.keep(scaled_error(tries.to() - state_.t))) {
         accept(tries.step());
@@ -59,7 +61,7 @@ class ImplicitSolver final : public Solver {
       }
       ++effort_.rejected;
     }
-    return fail("the time step shrank to nothing");
+    return fail("the time step shrank to nothing", worst_point_);
   }
 
   const State& state() const override { return state_; }
@@ -147,12 +149,13 @@ class ImplicitSolver final : public Solver {
 
   /// At most 1 for a step that may be kept. Stiff motion, which the method damps, is damped in the estimate as well:
   /// the first time in the positions, which then stand in the velocities over the time, so a second time.
-  double scaled_error(double h) const {
+  double scaled_error(double h) {
     const auto estimate = [&](const Points& one, const Points& two, const Points& three) {
       return Points(h * (error_weights[0] * one + error_weights[1] * two + error_weights[2] * three));
     };
     Points q = estimate(begin_.at.v, middle_.at.v, end_.at.v), v = estimate(begin_.a, middle_.a, end_.a);
     for (int times = 0; times < 2; ++times) damp(q, v, d * h);
+    worst_point_ = worst_column(v);
     const double speed = std::max(rms(begin_.at.v), rms(end_.at.v));
     return std::max(rms(q) / allowed_way(speed, h), rms(v) / allowed_speed(speed));
   }
@@ -170,8 +173,16 @@ class ImplicitSolver final : public Solver {
     ++effort_.accepted;
   }
 
-  Progress fail(const char* why) {
-    effort_.failure = fmt::format("{} at t = {:.6g} s", why, state_.t);
+  /// The control point whose force is not finite; its mass spreads that along the acceleration of the whole yarn.
+  int without_force() const {
+    Points force;
+    Load load{.force = &force};
+    world_.evaluate(state_, load);
+    return worst_column(force);
+  }
+
+  Progress fail(const char* why, int point) {
+    effort_.failure = fmt::format("{} at t = {:.6g} s, {}", why, state_.t, whereabouts(world_, point));
     return Progress::failed;
   }
 
@@ -182,6 +193,7 @@ class ImplicitSolver final : public Solver {
   State state_, before_;
   Motion begin_, middle_, end_;
   double diameter_ = 0;  // of the thinnest yarn, m
+  int worst_point_ = 0;  // where the last step that was tried went wrong most
   Effort effort_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/solvers/equilibrium.hpp"
+#include "sim/solvers/whereabouts.hpp"
 
 namespace wale {
 namespace {
@@ -20,9 +21,8 @@ class QuasiStaticSolver final : public Solver {
         increment_(world),
         equilibrium_(increment_),
         state_(std::move(start)),
-        before_(state_) {
-    const Material& yarn = world.fabric().materials.front();
-    tolerance_ = spec.tolerance * yarn.bending_rigidity / (yarn.diameter * yarn.diameter);
+        before_(state_),
+        tolerance_(allowed_residual(spec, world.fabric())) {
     world.prepare(state_);
   }
 
@@ -52,6 +52,7 @@ class QuasiStaticSolver final : public Solver {
   }
 
   const Effort& effort() const override { return effort_; }
+  std::optional<double> residual() const override { return residual_; }
 
  private:
   State guess(double target) {
@@ -82,6 +83,7 @@ class QuasiStaticSolver final : public Solver {
     next.step = std::max(state_.step, 1.5 * step);
     before_ = std::move(state_);
     state_ = std::move(next);
+    residual_ = equilibrium_.residual();
     ++effort_.accepted;
     return state_.t >= until ? Progress::arrived : Progress::stepped;
   }
@@ -90,21 +92,8 @@ class QuasiStaticSolver final : public Solver {
     effort_.failure = fmt::format(
         "no equilibrium was found at load parameter {:.6g}: the largest residual force is {:.3g} N, {}; {:.3g} N was "
         "asked for",
-        state_.t, equilibrium_.residual(), where(equilibrium_.worst_point()), tolerance_);
+        state_.t, equilibrium_.residual(), whereabouts(world_, equilibrium_.worst_point()), tolerance_);
     return Progress::failed;
-  }
-
-  /// The yarn and the stitch that a column of what may move belongs to, in words.
-  std::string where(int column) const {
-    const Fabric& fabric = world_.fabric();
-    for (int i = 0; i < fabric.segment_count(); ++i) {
-      // The second of its four control points lies nearest to where a segment begins.
-      if (world_.ties().free_column(fabric.first_point(i) + 1) != column) continue;
-      const Segment& segment = fabric.segment(i);
-      if (segment.stitch < 0) return fmt::format("at an edge, in segment {} of yarn {}", i, segment.yarn);
-      return fmt::format("in stitch {} (segment {} of yarn {})", segment.stitch, i, segment.yarn);
-    }
-    return world_.ties().empty() ? "at the end of a yarn" : "on the periods";
   }
 
   QuasiStatic spec_;
@@ -112,11 +101,17 @@ class QuasiStaticSolver final : public Solver {
   Increment increment_;
   Equilibrium equilibrium_;
   State state_, before_;
-  double tolerance_;  // N
+  double tolerance_;                // N
+  std::optional<double> residual_;  // of state_, N
   Effort effort_;
 };
 
 }  // namespace
+
+double allowed_residual(const QuasiStatic& spec, const Fabric& fabric) {
+  const Material& yarn = fabric.materials.front();
+  return spec.tolerance * yarn.bending_rigidity / (yarn.diameter * yarn.diameter);
+}
 
 std::unique_ptr<Solver> make(const QuasiStatic& spec, World& world, State start) {
   return std::make_unique<QuasiStaticSolver>(spec, world, std::move(start));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "sim/results/balance.hpp"
 #include "sim/results/picture.hpp"
 #include "studio/cli/complain.hpp"
 #include "studio/cli/exit_code.hpp"
@@ -31,6 +32,20 @@ std::string sizes(const Sizes& relaxed) {
       mm * relaxed.course_spacing);
 }
 
+std::string balance_words(const Results& results) {
+  constexpr double mN = 1e3;
+  std::string text;
+  for (const Balance& stage : balances(results)) {
+    text += fmt::format("  {:<10} {:.3g} mN (asked for: {:.3g} mN)", stage.stage, mN * stage.residual,
+                        mN * stage.tolerance);
+    if (stage.load > 0)
+      text += fmt::format(", {:.2g} % of the largest load on a {}, {:.3g} N", 100 * stage.share(),
+                          stage.along == Along::wale ? "wale" : "course", stage.load);
+    text += "\n";
+  }
+  return text.empty() ? text : "Residual force on a control point, at most:\n" + text;
+}
+
 }  // namespace
 
 std::string closing_words(const Results& results, const std::string& folder) {
@@ -41,6 +56,7 @@ std::string closing_words(const Results& results, const std::string& folder) {
   if (results.relaxed.length > 0) fmt::format_to(out, "{}", sizes(results.relaxed));
   fmt::format_to(out, "Crossings: {} of {} in every saved state{}\n", results.topology.found, results.topology.expected,
                  results.topology.intact() ? "" : ": YARN PASSED THROUGH YARN");
+  fmt::format_to(out, "{}", balance_words(results));
   double seconds = 0;
   for (const Phase& phase : results.phases) seconds += phase.seconds;
   fmt::format_to(out, "Took {:.1f} s. Results in {}:\n", seconds, folder);

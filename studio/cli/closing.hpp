@@ -7,7 +7,7 @@
 
 namespace wale {
 
-/// The curve drawn in characters, whether the crossings held, and which file is for what.
+/// The curve drawn in characters, whether the crossings held, how nearly forces balance, and which file is for what.
 std::string closing_words(const Results&, const std::string& folder);
 
 /// Says on stderr if and how a run ended early. Gives the exit code.

@@ -46,8 +46,9 @@ void ProgressBar::show(const RunStatus& status) {
 
   const double left = seconds_left(status);
   const std::string remaining = std::isfinite(left) ? fmt::format("  {} left in this stage", clock_text(left)) : "";
-  const std::string text = fmt::format("{:<8} {}/{}  {} {:3.0f} %{}", status.stage, status.stage_index + 1,
-                                       status.stages, bar(status.fraction), 100 * status.fraction, remaining);
+  const std::string residual = status.residual ? fmt::format("  residual {:.2g} mN", 1e3 * *status.residual) : "";
+  const std::string text = fmt::format("{:<8} {}/{}  {} {:3.0f} %{}{}", status.stage, status.stage_index + 1,
+                                       status.stages, bar(status.fraction), 100 * status.fraction, residual, remaining);
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\x1b[K" : "", text, terminal_ ? "" : "\n");
   std::fflush(stderr);
   dirty_ = terminal_;

@@ -125,7 +125,7 @@ Json loops_json(const Program& program, const StitchGraph& graph) {
     for (std::size_t i = 1; i < yarn.loops.size(); ++i)
       previous[static_cast<std::size_t>(yarn.loops[i])] = yarn.loops[i - 1];
   }
-  LineNumbers line_of;
+  Locator locate_loop;
   Json list = Json::array();
   for (std::size_t id = 0; id < graph.loops.size(); ++id) {
     const Loop& loop = graph.loops[id];
@@ -133,7 +133,7 @@ Json loops_json(const Program& program, const StitchGraph& graph) {
                     {"carrier", graph.carriers[static_cast<std::size_t>(loop.carrier)]},
                     {"direction", sign_of(loop.direction)},
                     {"needle", print(loop.needle)},
-                    {"line", line_of(loop.span)},
+                    {"line", locate_loop(loop.span).line},
                     {"op", operation_of(loop, program)},
                     {"parents", loop.through},
                     {"previous", previous[id] < 0 ? Json() : Json(previous[id])}});

@@ -16,14 +16,6 @@ namespace {
 
 std::string suffix_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
-/// The line of the chart that asked for each stitch.
-std::vector<int> lines_of(const StitchGraph& graph) {
-  LineNumbers line_of;
-  std::vector<int> lines;
-  for (const Loop& loop : graph.loops) lines.push_back(line_of(loop.span));
-  return lines;
-}
-
 }  // namespace
 
 bool can_write_yarns(const std::string& path) {
@@ -33,10 +25,10 @@ bool can_write_yarns(const std::string& path) {
   return complain(path, "the suffix is none that can be written", "write .h5, .vtp, .obj, .bcc, .svg or .k"), false;
 }
 
-void write_yarns(const Compiled& compiled, const std::string& chart_name, const std::string& path) {
+void write_yarns(const Compiled& compiled, const std::string& path) {
   const Fabric& fabric = compiled.fabric;
   const std::string suffix = suffix_of(path);
-  if (suffix == ".h5") write_fabric_hdf5(fabric, lines_of(compiled.graph), chart_name, path);
+  if (suffix == ".h5") write_fabric_hdf5(fabric, path);
   if (suffix == ".vtp") write_vtp(fabric, fabric.points, path, {});
   if (suffix == ".obj") write_file(path, to_obj(fabric, fabric.points));
   if (suffix == ".bcc") write_file(path, to_bcc(fabric, fabric.points));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 
 #include "compiler/compile.hpp"
@@ -29,6 +30,29 @@ TEST(CompileScene, MakesTheFirstExampleReadyToRun) {
   EXPECT_EQ(scene->gauge.courses, 13);
   EXPECT_DOUBLE_EQ(scene->gauge.thickness, 1.048e-3);
   EXPECT_FALSE(scene->stages.empty());
+}
+
+TEST(CompileScene, KnowsWhereEachStitchIsWritten) {
+  Sources sources;
+  Diagnostics say;
+  const Source* source = sources.add("a/scene.yaml", R"(scene: 1
+fabric: {pattern: chart.yaml, periodic: true, segments_per_stitch: 8}
+effects: {stretch: }
+stages: [{name: relax, duration: 1 s}]
+)");
+  sources.add("a/chart.yaml", R"(knit: 1
+bands:
+  - stitch: |
+      kp
+      kk
+)");
+  const auto scene = compile_scene(*source, sources, say);
+  ASSERT_TRUE(scene) << print(say.all().front());
+  EXPECT_EQ(scene->fabric.source, "a/chart.yaml");
+  std::set<std::pair<int, int>> places;
+  for (const Segment& segment : scene->fabric.segments) places.emplace(segment.line, segment.column);
+  const std::set<std::pair<int, int>> written{{4, 7}, {4, 8}, {5, 7}, {5, 8}};
+  EXPECT_EQ(places, written);
 }
 
 TEST(CompileScene, GripsBothEndsEitherWay) {

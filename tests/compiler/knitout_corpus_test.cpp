@@ -87,7 +87,7 @@ TEST(KnitoutCorpus, MakesTheRecordedLoops) {
     const auto knitted = knit(shared_folder / "corpus" / path);
     const StitchGraph& graph = knitted->graph;
     ASSERT_EQ(graph.loops.size(), recorded["loops"].size());
-    LineNumbers line_of;
+    Locator locate_loop;
     std::vector<int> previous(graph.loops.size(), -1);
     for (const YarnPath& yarn : graph.yarns)
       for (std::size_t i = 1; i < yarn.loops.size(); ++i)
@@ -101,7 +101,7 @@ TEST(KnitoutCorpus, MakesTheRecordedLoops) {
       EXPECT_EQ(graph.carriers[static_cast<std::size_t>(loop.carrier)], wanted["carrier"]) << i;
       EXPECT_EQ(loop.direction == Direction::decreasing ? "-" : "+", wanted["dir"]) << i;
       EXPECT_EQ(print(loop.needle), wanted["made_on"]) << i;
-      EXPECT_EQ(line_of(loop.span), wanted["line"]) << i;
+      EXPECT_EQ(locate_loop(loop.span).line, wanted["line"]) << i;
       EXPECT_EQ(loop.kind == LoopKind::tuck, wanted["op"] == "tuck") << i;
       EXPECT_EQ(through, parents) << i;
       EXPECT_EQ(previous[i], wanted["prev"].is_null() ? -1 : wanted["prev"].get<int>()) << i;

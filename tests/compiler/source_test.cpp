@@ -25,6 +25,16 @@ TEST(Source, LinesAndColumnsCountFromOne) {
   EXPECT_EQ(at(999).line, 4);
 }
 
+TEST(Source, IsLocatedAlikeOnceAndManyTimes) {
+  const Source source{"a.yaml", "one\ntwo\n\nfour"};
+  Locator locator;
+  for (std::uint32_t at = 0; at < source.text.size(); ++at) {
+    EXPECT_EQ(locator({&source, at, at}).line, locate({&source, at, at}).line) << at;
+    EXPECT_EQ(locator({&source, at, at}).column, locate({&source, at, at}).column) << at;
+  }
+  EXPECT_EQ(locator({}).line, 0);
+}
+
 TEST(Source, IsNotReadFromDiskIfItIsKnown) {
   Sources sources;
   const Source* added = sources.add("no/such/file.yaml", "knit: 1");

@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "compiler/compile.hpp"
@@ -144,6 +146,22 @@ TEST(Friction, HoldsAYarnBelowTheAngleOfFrictionAndLetsItSlideAboveIt) {
   }
 }
 
+Results run_scene(const std::string& text) {
+  Sources sources;
+  Diagnostics say;
+  const Source* source = sources.add(WALE_SOURCE_DIR "/patterns/friction.scene.yaml", text);
+  Results results;
+  results.scene = compile_scene(*source, sources, say).value();
+  if (run(results, {}) != Outcome::finished) throw std::runtime_error(results.effort.failure);
+  return results;
+}
+
+/// The last `count` numbers of a column.
+std::vector<double> last(const Results& results, const char* name, int count) {
+  const std::vector<double>& all = results.samples.find(name)->values;
+  return {all.end() - count, all.end()};
+}
+
 /// The work of three loops between the strains 30 % and 0 %, and what of it is lost, J/m³.
 struct Loops {
   double lost[3] = {}, stored = 0;
@@ -151,25 +169,17 @@ struct Loops {
 
 Loops pull_to_and_fro(const std::string& friction) {
   const OneThread one_thread;
-  Sources sources;
-  Diagnostics say;
-  const Source* source = sources.add(WALE_SOURCE_DIR "/patterns/cycle.scene.yaml", R"(scene: 1
+  const Results results = run_scene(R"(scene: 1
 fabric: {pattern: jersey.yaml, wales: 1, courses: 1, periodic: true}
-effects: {stretch: , bend: , contact: , friction: {coefficient: )" + friction + R"(, threshold: 1e-6 m/s}}
+effects: {stretch: , bend: , contact: , friction: {coefficient: )" +
+                                    friction + R"(, threshold: 1e-6 m/s}}
 stages:
   - {name: tighten, duration: 1 s, tighten: 100 %, samples: 4}
   - {name: relax, duration: 1 s, samples: 2}
   - {name: cycle, duration: 50 s, pull: {along: wale, to: [30 %, 0 %, 30 %, 0 %, 30 %, 0 %]}, samples: 60}
 solver: {quasi_static: {tolerance: 0.005}}
 )");
-  Results results;
-  results.scene = compile_scene(*source, sources, say).value();
-  if (run(results, {}) != Outcome::finished) throw std::runtime_error(results.effort.failure);
-  const auto column = [&](const char* name) {
-    const std::vector<double>& all = results.samples.find(name)->values;
-    return std::vector<double>(all.end() - 61, all.end());
-  };
-  const std::vector<double> strain = column("strain"), stress = column("stress");
+  const std::vector<double> strain = last(results, "strain", 61), stress = last(results, "stress", 61);
   Loops loops;
   for (std::size_t k = 0; k < 60; ++k) {
     const double work = (stress[k] + stress[k + 1]) / 2 * (strain[k + 1] - strain[k]);
@@ -186,6 +196,34 @@ TEST(Friction, MakesAFabricLoseWorkInLoopsThatClose) {
   EXPECT_GT(with.lost[0], 1.02 * with.lost[1]);
   EXPECT_NEAR(with.lost[2], with.lost[1], 1e-3 * with.lost[1]);
   for (const double lost : without.lost) EXPECT_LT(std::abs(lost), 5e-3 * without.stored);
+}
+
+/// The stress at each sample of a pull of jersey that has come to rest without friction, Pa.
+std::vector<double> pull_from_rest(const std::string& along, int samples) {
+  const OneThread one_thread;
+  const Results results = run_scene(fmt::format(R"(scene: 1
+fabric: {{pattern: jersey.yaml, wales: 2, courses: 2, periodic: true, segments_per_stitch: 12}}
+effects: {{stretch: , bend: , contact: }}
+stages:
+  - {{name: tighten, duration: 1 s, tighten: 100 %, samples: 4}}
+  - {{name: relax, duration: 1 s, samples: 1, solver: {{quasi_static: {{tolerance: 1e-4}}}}}}
+  - {{name: pull, duration: 1 s, pull: {{along: {}, to: 80 %}}, samples: {}, effects: {{friction: }}}}
+solver: {{quasi_static: {{tolerance: 0.002}}}}
+)",
+                                                along, samples));
+  return last(results, "stress", samples + 1);
+}
+
+/// Normal forces taken from where a step begins would be off by the first order of the step.
+TEST(Friction, IsOfSecondOrderInTheLoadStep) {
+  for (const char* along : {"wale", "course"}) {
+    const int coarse = 12, finer = 8;
+    const std::vector<double> stress = pull_from_rest(along, coarse), fine = pull_from_rest(along, finer * coarse);
+    const double peak = *std::max_element(fine.begin(), fine.end());
+    for (int i = 0; i <= coarse; ++i)
+      EXPECT_NEAR(stress[static_cast<std::size_t>(i)], fine[static_cast<std::size_t>(finer * i)], 0.01 * peak)
+          << along << " " << i;
+  }
 }
 
 }  // namespace

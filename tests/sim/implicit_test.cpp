@@ -7,6 +7,7 @@
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/modes.hpp"
 #include "tests/support/one_thread.hpp"
+#include "tests/support/poison.hpp"
 #include "tests/support/solver_runs.hpp"
 
 namespace wale {
@@ -134,6 +135,20 @@ TEST(Implicit, GoesOnFromASavedStateAsIfItHadNeverStopped) {
   Scuffle elsewhere;
   const auto second = make(Implicit{}, elsewhere.world, first->state());
   expect_same_bits(run_to(*second, duration), run_to(*straight, duration));
+}
+
+TEST(Implicit, FailsWithASentenceThatSaysWhere) {
+  for (const double from : {0.0, duration / 2}) {
+    Scuffle scuffle;
+    scuffle.world.add(std::make_unique<Poison>(from, scuffle.fabric.yarns[1].first_point + 3));
+    const auto solver = make(Implicit{}, scuffle.world, at_rest(scuffle.fabric));
+    Progress progress = Progress::stepped;
+    while (progress == Progress::stepped) progress = solver->advance(duration);
+    EXPECT_EQ(progress, Progress::failed);
+    EXPECT_TRUE(solver->effort().failure.ends_with(", in segment 8 of yarn 1")) << solver->effort().failure;
+    EXPECT_TRUE(solver->state().q.allFinite());
+    EXPECT_LE(solver->state().t, from);
+  }
 }
 
 TEST(Implicit, NeverPassesTheEndItIsGivenAndKeepsItsStepThere) {

@@ -10,6 +10,7 @@
 #include "tests/support/convergence.hpp"
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/one_thread.hpp"
+#include "tests/support/poison.hpp"
 #include "tests/support/solver_runs.hpp"
 
 namespace wale {
@@ -298,19 +299,6 @@ TEST_P(EveryPair, InterpolatesWithinItsLastStep) {
   EXPECT_LT((between.q - there.q).norm(), 1e-7 * (solver->state().q - at_rest(scuffle.fabric).q).norm());
   EXPECT_LT((between.v - there.v).norm(), 1e-6 * there.v.norm());
 }
-
-/// Pushes with a force that is not a number from some time on.
-class Poison final : public Effect {
- public:
-  explicit Poison(double from) : from_(from) {}
-  std::string_view name() const override { return "poison"; }
-  void add(const State& at, Load& out) const override {
-    if (out.force && at.t >= from_) (*out.force)(0, 0) = std::numeric_limits<double>::quiet_NaN();
-  }
-
- private:
-  double from_;
-};
 
 TEST(RungeKutta, FailsWithASentenceWhenTheForcesAreNotFinite) {
   for (const double from : {0.0, duration / 2}) {

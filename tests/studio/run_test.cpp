@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <tuple>
 
 #include "tests/studio/shell.hpp"
 
@@ -119,6 +122,73 @@ TEST_F(Run, OfACellGoesOnWithTheSameBits) {
   ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_EQ(read(other + "/curve.csv"), read(file("curve.csv")));
   EXPECT_EQ(read(other + "/fabric_pulled.svg"), read(file("fabric_pulled.svg")));
+}
+
+TEST_F(Run, TellsHowNearlyForcesBalance) {
+  const Answer answer = run(replaced(cell, "samples: 160", "samples: 4"));
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  const std::string table = read(file("curve.csv"));
+  EXPECT_TRUE(table.starts_with("strain,stress_MPa,force_N,force_per_wale_N,")) << table;
+  const std::string before = table.substr(0, table.find("residual_N"));
+  const auto column = static_cast<std::size_t>(std::count(before.begin(), before.end(), ','));
+  const auto balance = nlohmann::json::parse(read(file("summary.json")))["balance"];
+  const auto rows = numbers(table);
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_TRUE(std::isnan(rows[0][column])) << "the pull has not moved yet";
+  double most = 0;
+  for (std::size_t row = 1; row < rows.size(); ++row) most = std::max(most, rows[row][column]);
+  EXPECT_GT(most, 0);
+  EXPECT_LT(most, balance["pull"]["tolerance_N"].get<double>());
+  EXPECT_NEAR(balance["pull"]["residual_N"].get<double>(), most, 1e-6 * most);
+  EXPECT_GT(balance["pull"]["residual_over_load"].get<double>(), 0);
+  EXPECT_TRUE(balance["relax"]["residual_over_load"].is_null());
+  EXPECT_NE(answer.out.find("of the largest load on a wale"), std::string::npos) << answer.out;
+}
+
+const std::string program = R"(;!knitout-2
+;;Carriers: 1
+;;Machine: SWGXYZ
+in 1
+knit + f0 1
+knit + f1 1
+knit + f2 1
+knit - f2 1
+knit - f1 1
+knit - f0 1
+knit + f0 1
+knit + f1 1
+knit + f2 1
+out 1
+)";
+
+/// In the second stage nothing balances as nearly as is asked for.
+const std::string hopeless = R"(scene: 1
+fabric: {pattern: chart.yaml, segments_per_stitch: 10}
+effects: {stretch: , bend: , contact: }
+stages:
+  - {name: tighten, duration: 1 s, samples: 1, tighten: 20 %, hold: ends, solver: {quasi_static: {tolerance: 1}}}
+  - {name: relax, duration: 1 s, samples: 2, solver: {quasi_static: {tolerance: 1e-9, iterations: 1}}}
+)";
+
+/// The line of a pattern that a failed run or its resumption blames for the worst residual; 0 if none.
+int blamed_line(const Answer& answer, const std::string& pattern) {
+  std::smatch found;
+  const std::regex place("the solve failed: .* stitch [0-9]+ of [^ ]*" + pattern + ":([0-9]+):[0-9]+ \\(segment");
+  return std::regex_search(answer.err, found, place) ? std::stoi(found[1]) : 0;
+}
+
+TEST_F(Run, ThatFailsNamesTheLineOfTheStitchAndCanBeResumed) {
+  scratch_.write("program.k", program);
+  for (const auto& [pattern, first_line, last_line] : {std::tuple{"chart.yaml", 4, 4}, {"program.k", 5, 13}}) {
+    SCOPED_TRACE(pattern);
+    const Answer answer = run(replaced(hopeless, "chart.yaml", pattern));
+    EXPECT_EQ(answer.exit_code, 2);
+    EXPECT_GE(blamed_line(answer, pattern), first_line) << answer.err;
+    EXPECT_LE(blamed_line(answer, pattern), last_line) << answer.err;
+    const Answer resumed = wale({"run", "--resume", folder()});
+    EXPECT_EQ(resumed.exit_code, 2) << "the scene has not changed";
+    EXPECT_EQ(blamed_line(resumed, pattern), blamed_line(answer, pattern)) << resumed.err;
+  }
 }
 
 TEST_F(Run, OfADeformationTellsStrainsAndStresses) {

@@ -49,13 +49,12 @@ std::string show(const CompiledChart& compiled, const std::string& noun) {
 
 /// What a compiled file is asked for; its exit code.
 template <class C>
-int answer(const std::optional<C>& compiled, const CompileOptions& options, const Source& source,
-           const Diagnostics& say) {
+int answer(const std::optional<C>& compiled, const CompileOptions& options, const Diagnostics& say) {
   print_all(say);
   if (!compiled) return bad_input;
   if (!options.show.empty()) fmt::print("{}", show(*compiled, options.show));
   try {
-    if (!options.out.empty()) write_yarns(*compiled, source.name, options.out);
+    if (!options.out.empty()) write_yarns(*compiled, options.out);
   } catch (const std::system_error& error) {
     return complain_unwritable(options.out, error);
   }
@@ -89,7 +88,7 @@ int compile_to_knitout(const Source& source, const ChartOverrides& changes, cons
 int compile_chart_file(const Source& source, const ChartOverrides& changes, const CompileOptions& options) {
   Diagnostics say;
   const auto compiled = compile_chart(source, changes, options.segments, say);
-  return answer(compiled, options, source, say);
+  return answer(compiled, options, say);
 }
 
 int compile_knitout_file(const Source& source, Sources& sources, const CompileOptions& options) {
@@ -99,7 +98,7 @@ int compile_knitout_file(const Source& source, Sources& sources, const CompileOp
     return complain(source.name, "a knitout file has no chart", "--show program, graph or layout");
   Diagnostics say;
   const bool drawn = options.show == "layout" || (!options.out.empty() && !writes_knitout(options));
-  if (drawn) return answer(compile_knitout(source, *wanted, {}, options.segments, say), options, source, say);
+  if (drawn) return answer(compile_knitout(source, *wanted, {}, options.segments, say), options, say);
   const Knitted knitted = knit_knitout(source, *wanted, say);
   print_all(say);
   if (say.failed()) return bad_input;

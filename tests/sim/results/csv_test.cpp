@@ -26,6 +26,15 @@ TEST(Csv, HasOneColumnForEachEnergyOfThePulledStage) {
   EXPECT_EQ(rest, 3);
 }
 
+TEST(Csv, HasTheResidualOfAQuasiStaticStage) {
+  Results results;
+  append_row(results.samples, {{"strain", "", 0}});
+  append_row(results.samples, {{"strain", "", 0.1}, {"energy.bend", "J", 2}, {"residual", "N", 1e-4}});
+  EXPECT_EQ(curve_csv(results),
+            "strain,stress_MPa,force_N,force_per_wale_N,residual_N,energy_bend_J\n"
+            "0,nan,nan,nan,nan,nan\n0.1,nan,nan,nan,0.0001,2\n");
+}
+
 TEST(Csv, SaysNanForANumberThatLacks) {
   Results results;
   append_row(results.samples, {{"strain", "", 0.1}, {"energy.grip.top", "J", 2}});

@@ -41,6 +41,7 @@ void expect_same(const Table& a, const Table& b) {
 }
 
 void expect_same(const Fabric& a, const Fabric& b) {
+  EXPECT_EQ(a.source, b.source);
   EXPECT_EQ(a.materials, b.materials);
   ASSERT_EQ(a.yarns.size(), b.yarns.size());
   for (std::size_t i = 0; i < a.yarns.size(); ++i) {
@@ -55,6 +56,8 @@ void expect_same(const Fabric& a, const Fabric& b) {
     EXPECT_EQ(a.segments[i].stitch, b.segments[i].stitch);
     EXPECT_EQ(a.segments[i].length, b.segments[i].length);
     EXPECT_EQ(a.segments[i].knitted, b.segments[i].knitted);
+    EXPECT_EQ(a.segments[i].line, b.segments[i].line);
+    EXPECT_EQ(a.segments[i].column, b.segments[i].column);
   }
   EXPECT_TRUE(same_bits(a.points, b.points));
   ASSERT_EQ(a.cell.has_value(), b.cell.has_value());
@@ -185,17 +188,11 @@ TEST_F(Hdf5, RefusesFilesOfAnotherKindAndDamagedOnes) {
   std::ofstream(path("text.h5")) << "stitches\n";
   EXPECT_NE(message<std::runtime_error>([&] { read_hdf5(path("text.h5")); }).find("text.h5"), std::string::npos);
   const testing::MadeJersey made = testing::made_jersey(2, 2);
-  write_fabric_hdf5(made.fabric, {1, 2, 3, 4}, "a.yaml", path("fabric.h5"));
+  write_fabric_hdf5(made.fabric, path("fabric.h5"));
   EXPECT_NE(message<std::runtime_error>([&] { read_hdf5(path("fabric.h5")); }).find("wale fabric"), std::string::npos);
   write_hdf5(testing::made_results(), path("cut.h5"));
   fs::resize_file(path("cut.h5"), fs::file_size(path("cut.h5")) / 2);
   EXPECT_NE(message<std::runtime_error>([&] { read_hdf5(path("cut.h5")); }).find("cut.h5"), std::string::npos);
-}
-
-TEST_F(Hdf5, WantsALineForEveryStitch) {
-  const testing::MadeJersey made = testing::made_jersey(2, 2);
-  EXPECT_THROW(write_fabric_hdf5(made.fabric, {1, 2, 3}, "a.yaml", path("fabric.h5")), std::out_of_range);
-  EXPECT_FALSE(fs::exists(path("fabric.h5")));
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ inline Results made_results() {
   results.scene.name = "swatch";
   results.scene.fabric = made.fabric;
   results.scene.fabric.materials.push_back({"soft", 1e-6, 2, 3e-9, 0.1 + 0.2, ContactLaw::core_shell, 5, 1e-4, 2.5});
+  results.scene.fabric.source = "a.yaml";
+  for (Segment& segment : results.scene.fabric.segments) segment.line = segment.stitch + 1, segment.column = 7;
   results.scene.gauge = made.gauge;
   results.scene.gauge.thickness = 1.048e-3;
   results.scene.clamps = {{1, true, false, true}, {0, false, true, false}};

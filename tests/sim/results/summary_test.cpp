@@ -60,6 +60,19 @@ TEST(Summary, SaysWhetherEveryCrossingWasFound) {
   EXPECT_EQ(json::parse(summary_json(results))["topology"]["intact"], true);
 }
 
+TEST(Summary, SaysHowNearlyAQuasiStaticStageBalances) {
+  Results results = testing::made_results();
+  EXPECT_TRUE(json::parse(summary_json(results))["balance"].empty());
+  results.scene.stages.resize(2);
+  results.scene.stages[1].name = "pull";
+  results.scene.stages[1].pull = Pull{};
+  append_row(results.samples, {{"stage", "", 1}, {"residual", "N", 1e-3}, {"force_per_wale", "N", 0.5}});
+  const json balance = json::parse(summary_json(results))["balance"]["pull"];
+  EXPECT_EQ(balance["residual_N"], 1e-3);
+  EXPECT_EQ(balance["residual_over_load"], 2e-3);
+  EXPECT_GT(balance["tolerance_N"], 1e-3);
+}
+
 TEST(Summary, HasNullForFeaturesOfNoCurve) {
   const json told = json::parse(summary_json({}));
   EXPECT_TRUE(told["curve"]["initial_stiffness_Pa"].is_null());
