@@ -14,6 +14,7 @@ struct State {
   double t = 0;     ///< s; for a quasi-static solver the load parameter
   Points q, v;      ///< control points, m, and their velocities, m/s (3 x M)
   double step = 0;  ///< the solver's next step, s; 0 lets it choose
+  Points a = {};    ///< accelerations, m/s², as the implicit solver balanced them; empty if none did
 };
 
 /// What a caller wants to know. A null member is not wanted, and costs nothing.

@@ -1,5 +1,6 @@
 #include "sim/run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -14,6 +15,9 @@
 
 namespace wale {
 namespace {
+
+constexpr int most_rounds = 4;
+constexpr double least_of_allowed = 0.05;  // of a residual that a light load asks for
 
 /// A solver's steps, given as shares of a stage, in seconds.
 QuasiStatic timed(QuasiStatic spec, double duration) {
@@ -75,6 +79,7 @@ class Run {
     state.t = 0;
     state.step = 0;
     state.v.setZero();
+    state.a = {};
     results_.snapshots.push_back({stage, 0, std::move(state)});
     const Stage& of = stage_at(stage);
     // Once gripped a fabric no longer lies as it relaxed.
@@ -167,8 +172,27 @@ class Run {
         break;
       }
     }
+    if (outcome == Outcome::finished) sharpen(index, setup, *solver, state);
     add_effort(solver->effort());
     return outcome;
+  }
+
+  /// Balances a pulled fabric until what is left is small beside the load on one wale or course.
+  void sharpen(int index, const StageSetup& setup, Solver& solver, State& state) {
+    const auto* spec = std::get_if<QuasiStatic>(&stage_at(index).solver);
+    if (!spec || !stage_at(index).pull || !residual_) return;
+    const double allowed = allowed_residual(*spec, results_.scene.fabric);
+    for (int round = 0; round < most_rounds; ++round) {  // the load changes with the balance
+      const auto measured = setup.measure(*setup.world(), state);
+      const auto load = std::find_if(measured.begin(), measured.end(),
+                                     [](const Quantity& quantity) { return quantity.name == "force_per_wale"; });
+      const double wanted = std::clamp(spec->of_load * std::abs(load->value), least_of_allowed * allowed, allowed);
+      if (*residual_ <= wanted) return;
+      const bool found = solver.sharpen(wanted);
+      state = solver.state();
+      residual_ = solver.residual();
+      if (!found) return;
+    }
   }
 
   void record(int index, const StageSetup& setup, const State& state) {

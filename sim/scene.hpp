@@ -112,6 +112,7 @@ struct Implicit {
 /// Equilibrium after equilibrium, by a trust-region Newton method on the energy.
 struct QuasiStatic {
   double tolerance = 0.02;      ///< largest residual force on a control point, over the yarn's bending force EI/d²
+  double of_load = 0.01;        ///< in a pull also over the load on one wale or course, as far down as `tolerance`/20
   int iterations = 200;         ///< a load step that needs more is halved
   double first_step = 0;        ///< share of the stage; 0: from sample to sample
   double smallest_step = 1e-3;  ///< share of the stage: below this the solve has failed

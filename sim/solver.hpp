@@ -32,6 +32,8 @@ class Solver {
   /// The largest residual force on a control point in state(), N; nothing from a solver that follows a motion, or
   /// before its first step.
   virtual std::optional<double> residual() const { return {}; }
+  /// Balances state() further, after advance() has arrived. False if its residual does not come below `newtons`.
+  virtual bool sharpen([[maybe_unused]] double newtons) { return false; }
 };
 
 /// `world` must outlive the solver.

@@ -134,8 +134,9 @@ Knots read_knots(const YamlNode& node, Diagnostics& say) {
 
 QuasiStatic read_quasi_static(const YamlNode& node, Diagnostics& say) {
   QuasiStatic spec;
-  const Settings settings(node, "quasi_static", {"tolerance", "iterations", "first_step", "smallest_step"}, say);
+  const Settings settings(node, "quasi_static", {"tolerance", "of_load", "iterations", "first_step", "smallest_step"}, say);
   settings.quantity("tolerance", dimensions::ratio, residuals, spec.tolerance);
+  settings.quantity("of_load", dimensions::ratio, residuals, spec.of_load);
   settings.count("iterations", 1, 1'000'000, spec.iterations);
   settings.quantity("first_step", dimensions::ratio, {0, 1}, spec.first_step);
   settings.quantity("smallest_step", dimensions::ratio, shares, spec.smallest_step);

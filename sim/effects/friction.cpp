@@ -7,7 +7,8 @@ namespace wale {
 namespace {
 
 /// Coulomb's law, smoothed as in incremental potential contact (Li et al. 2020): D = µ N f(|v_t|), where f' rises from
-/// 0 to 1 as |v_t| rises to the threshold. The power lost is between 2 D, far below it, and D, far above. N is what the contact law gives for the two beads.
+/// 0 to 1 as |v_t| rises to the threshold. The power lost is between 2 D, far below it, and D, far above. N is what the
+/// contact law gives for the two beads.
 struct Rubbing {
   static constexpr bool elastic = false;
   static constexpr bool by_kernels = false;

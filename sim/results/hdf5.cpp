@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
 #include "sim/results/file.hpp"
@@ -177,6 +178,23 @@ void stack(const Reader& in, const std::string& name, const std::string&, std::v
     snapshots[i].state.*member = Eigen::Map<const Points>(all.data() + i * shape[1] * 3, 3, columns);
 }
 
+/// Accelerations are there only if some snapshot knows them; then the others have what is not a number.
+void stack_accelerations(const Writer& in, std::vector<Snapshot> snapshots) {
+  const auto is_known = [](const Snapshot& snapshot) { return snapshot.state.a.size() > 0; };
+  if (std::none_of(snapshots.begin(), snapshots.end(), is_known)) return;
+  for (Snapshot& snapshot : snapshots)
+    if (!is_known(snapshot))
+      snapshot.state.a = Points::Constant(3, snapshot.state.q.cols(), std::numeric_limits<double>::quiet_NaN());
+  stack(in, "a", "m/s2", snapshots, &State::a);
+}
+
+void stack_accelerations(const Reader& in, std::vector<Snapshot>& snapshots) {
+  if (!in.group().has("a")) return;
+  stack(in, "a", "m/s2", snapshots, &State::a);
+  for (Snapshot& snapshot : snapshots)
+    if (snapshot.state.a.hasNaN()) snapshot.state.a = {};
+}
+
 template <class Archive, class AnySnapshots>
 void describe_snapshots(Archive in, AnySnapshots& snapshots) {
   std::vector<double> times, steps;
@@ -190,6 +208,7 @@ void describe_snapshots(Archive in, AnySnapshots& snapshots) {
   in.list("step", "s", steps);
   stack(in, "q", "m", snapshots, &State::q);
   stack(in, "v", "m/s", snapshots, &State::v);
+  stack_accelerations(in, snapshots);
   if constexpr (std::is_same_v<Archive, Reader>) {
     if (times.size() != snapshots.size() || steps.size() != snapshots.size())
       throw std::runtime_error("HDF5 file has a wrong length of t or step");

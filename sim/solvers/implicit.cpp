@@ -43,10 +43,12 @@ class ImplicitSolver final : public Solver {
   Progress advance(double until) override {
     if (state_.t >= until) return Progress::arrived;
     equilibrium_.forget();
-    world_.accelerate(state_, begin_.a);
-    ++effort_.evaluations;
+    if (state_.a.size() == 0) {
+      world_.accelerate(state_, state_.a);
+      ++effort_.evaluations;
+    }
+    begin_ = {state_, state_.a};
     if (!begin_.a.allFinite()) return fail("the forces are not finite", without_force());
-    begin_.at = state_;
     if (!(state_.step > 0)) state_.step = spec_.first_step > 0 ? spec_.first_step : first_step();
     StepTries tries(state_.t, state_.step, until, error_order);
     while (!tries.shorter_than(smallest_step)) {
@@ -80,7 +82,9 @@ class ImplicitSolver final : public Solver {
   const Effort& effort() const override { return effort_; }
 
  private:
-  /// A stage of the method: where it is, how it moves (in `at`) and how it gains speed.
+  /// A stage of the method: where it is, how it moves (in `at`) and how it gains speed. The last stage of a step is the
+  /// first of the next: forces at its velocities, which are known as well as the tolerance asks, would turn friction
+  /// about wherever that is less well than the threshold.
   struct Motion {
     State at;
     Points a;  // m/s²
@@ -169,6 +173,7 @@ class ImplicitSolver final : public Solver {
   void accept(double next) {
     before_ = std::move(state_);
     state_ = end_.at;
+    state_.a = end_.a;
     state_.step = next;
     ++effort_.accepted;
   }

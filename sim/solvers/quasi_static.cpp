@@ -54,6 +54,17 @@ class QuasiStaticSolver final : public Solver {
   const Effort& effort() const override { return effort_; }
   std::optional<double> residual() const override { return residual_; }
 
+  bool sharpen(double newtons) override {
+    if (state_.t <= before_.t) return false;
+    State next = state_;
+    const bool found = balance(next, newtons);
+    if (!found && !(equilibrium_.residual() < *residual_)) return false;
+    next.v = (next.q - before_.q) / (state_.t - before_.t);
+    state_ = std::move(next);
+    residual_ = equilibrium_.residual();
+    return found;
+  }
+
  private:
   State guess(double target) {
     State next = state_;
