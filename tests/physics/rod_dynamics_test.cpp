@@ -197,7 +197,7 @@ TEST(FreeYarns, KeepMomentumThroughAnImplicitCollision) {
 
 TEST(FreeYarns, GainNoEnergyInADampedImplicitCollision) {
   Collision collision({Drag{.coefficient = 1e-3}, ContactDamping{.tangential = 10, .normal = 100},
-                       Friction{.coefficient = 0.3, .threshold = 1e-2}},
+                       Friction{.coefficient = 0.3}},
                       true);
   const auto solver = make(Implicit{.relative = 1e-4}, *collision.world, collision.start);
   double before = collision.energy(solver->state());

@@ -118,7 +118,7 @@ struct Scuffle {
   Fabric fabric = crossing_yarns(ContactLaw::barrier, 21);
   World world{fabric,
               {Stretch{}, Bend{}, Drag{}, Contact{}, ContactDamping{.tangential = 5, .normal = 40},
-               Friction{.threshold = 1e-3}},
+               Friction{}},
               Schedule(0.0),
               at_rest(fabric),
               {},
@@ -183,7 +183,7 @@ TEST(Implicit, GivesTheSameBitsForTwoThreads) {
   std::vector<State> ends;
   for (const int threads : {1, 2}) {
     omp_set_num_threads(threads);
-    World world(fabric, {Stretch{}, Bend{}, Contact{}, Friction{.threshold = 1e-3}}, 0.0, at_rest(fabric), {}, true);
+    World world(fabric, {Stretch{}, Bend{}, Contact{}, Friction{}}, 0.0, at_rest(fabric), {}, true);
     const auto solver = make(Implicit{}, world, at_rest(fabric));
     for (int i = 0; i < 3; ++i) ASSERT_EQ(solver->advance(1), Progress::stepped) << solver->effort().failure;
     ends.push_back(solver->state());
