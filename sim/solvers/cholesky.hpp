@@ -19,6 +19,8 @@ class Cholesky {
 
   /// Factors K + shift I. False if that is not positive definite. Throws std::bad_alloc.
   [[nodiscard]] bool factor(const Stiffness& K, double shift);
+  /// How many solves take about as long as another factor; -1 without one.
+  int solves_a_factor() const;
   /// Drops the symbolic factor: what comes next depends on nothing that came before.
   void forget();
   /// x := (K + shift I)⁻¹ x, after factor() answered true. Throws std::bad_alloc.

@@ -102,12 +102,15 @@ double Equilibrium::evaluate(const State& at, Points* force, Effort& effort) {
   return energy;
 }
 
+/// An old factor serves as long as conjugate gradients cost less with it than a new one. A motion needs that of its own
+/// matrix: see precondition().
 bool Equilibrium::factor(const State& at, Effort& effort) {
-  ++effort.factorizations;
   // Inertia holds what is free as well, and to add to it would give or take
   // momentum.
   const double shift = increment_.has_inertia() ? 0 : residual_ / (reach_when_free * thickness_);
   increment_.second(at, leeway_, shift, exact_, convex_);
+  if (!increment_.has_inertia() && inner_ <= cholesky_.solves_a_factor()) return true;
+  ++effort.factorizations;
   return cholesky_.factor(convex_, 0);
 }
 
@@ -117,7 +120,7 @@ void Equilibrium::precondition(Eigen::VectorXd& x) const {
   if (!world_.constraints().empty()) world_.constraints().project(x, solve);
 }
 
-Equilibrium::Step Equilibrium::downhill(const Points& force) const {
+Equilibrium::Step Equilibrium::downhill(const Points& force) {
   Eigen::VectorXd residual = force.reshaped();  // of the model's gradient, with the sign of a force
   Eigen::VectorXd move = Eigen::VectorXd::Zero(residual.size()),
                   bent = move;  // bent = K move
@@ -127,7 +130,7 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) const {
   double rz = residual.dot(z);
   const double goal = 1e-4 * rz;
   Step step;
-  for (int n = 0; n < most_inner && rz > goal && rz > 0; ++n) {
+  for (inner_ = 0; inner_ < most_inner && rz > goal && rz > 0; ++inner_) {
     exact_.multiply(along, stiff);
     const double curvature = along.dot(stiff);
     double alpha = curvature > 0 ? rz / curvature : std::numeric_limits<double>::infinity();

@@ -56,7 +56,7 @@ class Equilibrium {
   Trial attempt(const State& from, const Eigen::VectorXd& move, Effort& effort);
   void correct(Trial& trial, double tolerance, Effort& effort);
   bool factor(const State& at, Effort& effort);
-  Step downhill(const Points& force) const;
+  Step downhill(const Points& force);
   double evaluate(const State& at, Points* force, Effort& effort);
   double clearance_at(const State& state) const;
   void look_around(const State& state);
@@ -75,6 +75,7 @@ class Equilibrium {
   double clearance_ = 0;  // over the diameter, where the iteration stands
   double residual_ = 0;
   int worst_point_ = 0;
+  int inner_ = 0;  // steps of conjugate gradients in the last iteration
 };
 
 }  // namespace wale

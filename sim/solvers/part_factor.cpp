@@ -25,6 +25,7 @@ PartFactor::PartFactor(const Stiffness& K, const UsedBlocks& used, const std::ve
   common_->postorder = 0;
   cholmod_sparse view = matrix_.view();
   factor_ = common_.analyse(view);
+  work_ = common_->fl;
 }
 
 PartFactor::~PartFactor() {

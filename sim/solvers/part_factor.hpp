@@ -18,6 +18,8 @@ class PartFactor {
 
   /// How many values the factor has.
   std::size_t values() const { return factor_->xsize; }
+  /// How many products and sums it takes.
+  double factor_work() const { return work_; }
 
   enum class Status { good, indefinite, no_memory };
   /// Of K + shift I.
@@ -37,7 +39,8 @@ class PartFactor {
 
   cholmod::Common common_;
   OrderedMatrix matrix_;
-  int own_ = 0;  // coordinates before the border
+  int own_ = 0;      // coordinates before the border
+  double work_ = 0;  // see factor_work()
   cholmod::Factor factor_{nullptr, {common_.get()}};
   Eigen::VectorXd x_;                                                // in the order of elimination
   cholmod_dense *solution_ = nullptr, *y_ = nullptr, *e_ = nullptr;  // made by cholmod_solve2, and used again

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -124,13 +125,17 @@ TEST_F(Run, OfACellGoesOnWithTheSameBits) {
   EXPECT_EQ(read(other + "/fabric_pulled.svg"), read(file("fabric_pulled.svg")));
 }
 
+std::size_t residual_column(const std::string& table) {
+  const std::string before = table.substr(0, table.find("residual_N"));
+  return static_cast<std::size_t>(std::count(before.begin(), before.end(), ','));
+}
+
 TEST_F(Run, TellsHowNearlyForcesBalance) {
   const Answer answer = run(replaced(cell, "samples: 160", "samples: 4"));
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const std::string table = read(file("curve.csv"));
   EXPECT_TRUE(table.starts_with("strain,stress_MPa,force_N,force_per_wale_N,")) << table;
-  const std::string before = table.substr(0, table.find("residual_N"));
-  const auto column = static_cast<std::size_t>(std::count(before.begin(), before.end(), ','));
+  const std::size_t column = residual_column(table);
   const auto balance = nlohmann::json::parse(read(file("summary.json")))["balance"];
   const auto rows = numbers(table);
   ASSERT_EQ(rows.size(), 5u);
@@ -143,6 +148,27 @@ TEST_F(Run, TellsHowNearlyForcesBalance) {
   EXPECT_GT(balance["pull"]["residual_over_load"].get<double>(), 0);
   EXPECT_TRUE(balance["relax"]["residual_over_load"].is_null());
   EXPECT_NE(answer.out.find("of the largest load on a wale"), std::string::npos) << answer.out;
+}
+
+/// Along the courses a cell bears little: a residual that is small beside EI/d² would be a fifth of that.
+TEST_F(Run, BalancesAPullInProportionToItsLoad) {
+  std::string along_courses = replaced(cell, "samples: 160", "samples: 6");
+  along_courses = replaced(along_courses, "along: wale, to: [40 %, 0 %]", "along: course, to: 40 %");
+  for (const double of_load : {1e3, 2e-3}) {
+    const std::string solver = fmt::format("solver: {{quasi_static: {{tolerance: 0.3, of_load: {}}}}}\n", of_load);
+    ASSERT_EQ(run(along_courses + solver).exit_code, 0);
+    const std::string table = read(file("curve.csv"));
+    const auto rows = numbers(table);
+    const double allowed =
+        nlohmann::json::parse(read(file("summary.json")))["balance"]["pull"]["tolerance_N"].get<double>();
+    bool any_above = false;
+    for (std::size_t row = 1; row < rows.size(); ++row) {
+      const double load = rows[row][3], residual = rows[row][residual_column(table)];
+      EXPECT_LE(residual, std::clamp(of_load * load, allowed / 20, allowed));
+      any_above |= residual > std::clamp(2e-3 * load, allowed / 20, allowed);
+    }
+    EXPECT_EQ(any_above, of_load > 1) << "tolerance alone does not do it";
+  }
 }
 
 const std::string program = R"(;!knitout-2

@@ -121,6 +121,7 @@ void expect_same(const Results& a, const Results& b) {
     EXPECT_EQ(one.state.step, other.state.step);
     EXPECT_TRUE(same_bits(one.state.q, other.state.q));
     EXPECT_TRUE(same_bits(one.state.v, other.state.v));
+    EXPECT_TRUE(same_bits(one.state.a, other.state.a));
   }
 }
 
@@ -134,6 +135,14 @@ TEST_F(Hdf5, GivesResultsBackBitForBit) {
 TEST_F(Hdf5, GivesThePeriodsOfACellBack) {
   Results results = testing::made_results();
   results.scene.fabric.cell = {{0.1 + 0.2, 0, 0}, {1e-4, 2e-3, 0}};
+  write_hdf5(results, path("a.h5"));
+  expect_same(results, read_hdf5(path("a.h5")));
+}
+
+TEST_F(Hdf5, GivesTheAccelerationsBackThatSomeSnapshotsKnow) {
+  Results results = testing::made_results();
+  State& last = results.snapshots.back().state;
+  last.a = Points::Constant(3, last.q.cols(), 0.1 + 0.2);
   write_hdf5(results, path("a.h5"));
   expect_same(results, read_hdf5(path("a.h5")));
 }
