@@ -40,10 +40,7 @@ Beads::Beads(const Fabric& fabric, double alpha, double screening) : fabric_(fab
     widest = std::max(widest, d);
     bead_count_.push_back(n);
     first_bead_.push_back(total());
-    for (int k = 0; k < n; ++k) {
-      arc_.push_back(arc + segment.knitted * (2 * k + 1) / (2 * n));
-      segment_of_.push_back(i);
-    }
+    for (int k = 0; k < n; ++k) arc_.push_back(arc + segment.knitted * (2 * k + 1) / (2 * n));
     arc += segment.knitted;
     length_of_yarn_.resize(fabric.yarns.size());
     length_of_yarn_[index(segment.yarn)] += segment.knitted;
@@ -110,9 +107,6 @@ void Beads::prepare(const Points& q) {
   if (!locate(q)) {
     for (const double x : rows_)
       if (!std::isfinite(x)) return;
-    listed_at_.resize(3, total());
-    for (int i = 0; i < fabric_.segment_count(); ++i)
-      for (int k = 0; k < count(i); ++k) listed_at_.col(first_bead_[index(i)] + k) = position(i, k);
     if (fabric_.cell) find_images(q);
     find_pairs();
     index_pairs();
@@ -164,7 +158,13 @@ double Beads::nearer_by_periods(const Points& q) const {
 void Beads::find_images(const Points& q) {
   listed_periods_ = q.rightCols<2>();
   const Vec3 course = listed_periods_.col(0), wale = listed_periods_.col(1);
-  const Vec3 span = listed_at_.rowwise().maxCoeff() - listed_at_.rowwise().minCoeff() + Vec3::Constant(reach_ + skin_);
+  Vec3 low = position(0, 0), high = low;
+  for (int i = 0; i < fabric_.segment_count(); ++i)
+    for (int k = 0; k < count(i); ++k) {
+      low = low.cwiseMin(position(i, k));
+      high = high.cwiseMax(position(i, k));
+    }
+  const Vec3 span = high - low + Vec3::Constant(reach_ + skin_);
   images_.assign(1, Eigen::Vector2i::Zero());
   for (int up = 0; up * std::abs(wale.y()) < span.y(); ++up) {
     const double off = up * wale.x() / course.x(), most = span.x() / std::abs(course.x());
@@ -179,29 +179,44 @@ void Beads::displace_images(const Points& q) {
   for (const Eigen::Vector2i& image : images_) displacements_.emplace_back(q.rightCols<2>() * image.cast<double>());
 }
 
+Beads::Spheres Beads::spheres() const {
+  Spheres of{Points(3, fabric_.segment_count()), Eigen::VectorXd(fabric_.segment_count())};
+  for (int i = 0; i < fabric_.segment_count(); ++i) {
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < count(i); ++k) sum += position(i, k);
+    of.centres.col(i) = sum / count(i);
+    double furthest = 0;
+    for (int k = 0; k < count(i); ++k)
+      furthest = std::max(furthest, (position(i, k) - of.centres.col(i)).squaredNorm());
+    of.radii[i] = std::sqrt(furthest);
+  }
+  return of;
+}
+
 void Beads::find_pairs() {
-  const Grid grid(listed_at_, reach_);
+  const Spheres around = spheres();
+  const Grid grid(around.centres, reach_ + 2 * around.radii.maxCoeff());
   pairs_.clear();
   for (int image = 0; image < static_cast<int>(images_.size()); ++image) {
-    find_pairs(image, grid);
+    find_pairs(image, grid, around);
     if (image == 0) plain_pairs_ = pairs_.size();
   }
 }
 
-void Beads::find_pairs(int image, const Grid& grid) {
+void Beads::find_pairs(int image, const Grid& grid, const Spheres& around) {
   std::vector<std::vector<int>> partners(index(fabric_.segment_count()));
   const Vec3 displacement = displacements_[index(image)];
 #pragma omp parallel for schedule(dynamic, 64)
   for (int a = 0; a < fabric_.segment_count(); ++a) {
     auto& mine = partners[index(a)];
-    for (int k = 0; k < count(a); ++k)
-      grid.near(position(a, k) - displacement, [&](int bead) {
-        const int b = segment_of_[index(bead)];
-        if ((b > a || image > 0) && (mine.empty() || mine.back() != b) && is_within_reach(image, a, k, bead))
-          mine.push_back(b);
-      });
+    const Vec3 centre = around.centres.col(a) - displacement;
+    grid.near(centre, [&](int b) {
+      if (b <= a && image == 0) return;
+      const double furthest = diameter(a, b) + skin_ + around.radii[a] + around.radii[b];
+      if ((centre - around.centres.col(b)).squaredNorm() < furthest * furthest && is_within_reach({a, b, image}))
+        mine.push_back(b);
+    });
     std::sort(mine.begin(), mine.end());
-    mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
   }
   for (int a = 0; a < fabric_.segment_count(); ++a)
     for (const int b : partners[index(a)]) pairs_.push_back({a, b, image});
@@ -236,11 +251,14 @@ void Beads::list_gaps(std::vector<Gap>& out) const {
   }
 }
 
-bool Beads::is_within_reach(int image, int a, int bead_a, int other) const {
-  const SegmentPair pair{a, segment_of_[index(other)], image};
-  const double reach = diameter(a, pair.b) + skin_;
-  return (position(a, bead_a) - listed_at_.col(other) - displacement(pair)).squaredNorm() < reach * reach &&
-         !screened(pair, bead_a, other - first_bead_[index(pair.b)]);
+bool Beads::is_within_reach(const SegmentPair& pair) const {
+  const double reach = diameter(pair.a, pair.b) + skin_;
+  for (int i = 0; i < count(pair.a); ++i) {
+    const Vec3 at = position(pair.a, i) - displacement(pair);
+    for (int j = 0; j < count(pair.b); ++j)
+      if ((at - position(pair.b, j)).squaredNorm() < reach * reach && !screened(pair, i, j)) return true;
+  }
+  return false;
 }
 
 }  // namespace wale

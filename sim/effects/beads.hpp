@@ -113,16 +113,22 @@ class Beads {
   double measure(int image);
   void find_images(const Points& q);
   void displace_images(const Points& q);
+  /// One around the beads of each segment, m.
+  struct Spheres {
+    Points centres;
+    Eigen::VectorXd radii;
+  };
+  Spheres spheres() const;
   void find_pairs();
-  void find_pairs(int image, const Grid& grid);
+  void find_pairs(int image, const Grid& grid, const Spheres& around);
   void index_pairs();
-  bool is_within_reach(int image, int a, int bead_a, int other) const;  // `other` counts over all segments
+  bool is_within_reach(const SegmentPair& pair) const;
 
   const Fabric& fabric_;
   double screening_;
   double skin_ = 0;   // m
   double reach_ = 0;  // m, largest diameter plus skin
-  std::vector<int> bead_count_, first_bead_, segment_of_;
+  std::vector<int> bead_count_, first_bead_;
   std::vector<double> arc_;                // bead positions along their yarn, knitted length, m
   std::vector<std::vector<Basis>> bases_;  // by bead count
   std::vector<double> length_of_yarn_;     // knitted, m
@@ -130,8 +136,7 @@ class Beads {
   std::vector<Vec3> displacements_{Vec3::Zero()};  // by image, m
   std::vector<SegmentPair> pairs_;
   std::size_t plain_pairs_ = 0;
-  Points listed_at_;       // beads when the list was made
-  Points listed_periods_;  // and both periods; empty if the fabric has none
+  Points listed_periods_;  // both, when the list was made; empty if the fabric has none
   double closest_ = 0;
   long version_ = 0;
 
