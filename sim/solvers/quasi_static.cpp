@@ -9,7 +9,8 @@
 namespace wale {
 namespace {
 
-constexpr double rough = 10;  // times the tolerance
+constexpr double rough = 10;     // times the tolerance
+constexpr int most_rounds = 10;  // of iterations at a load that stays
 
 /// Equilibrium after equilibrium; its time is the load parameter of the schedules.
 /// State::v holds the quasi-static velocity, from which the next equilibrium is guessed.
@@ -28,13 +29,18 @@ class QuasiStaticSolver final : public Solver {
 
   Progress advance(double until) override {
     if (state_.step <= 0) state_.step = spec_.first_step > 0 ? spec_.first_step : until - state_.t;
-    while (true) {
+    for (int rounds = 0;;) {
       const double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
       State next = guess(target);
       increment_.begin(next, target - state_.t, state_.q);
       if (balance(next)) return accept(std::move(next), until);
       if (world_.interrupted()) return Progress::stepped;
       ++effort_.rejected;
+      if (!load_changes(target)) {
+        state_.q = next.q;
+        if (++rounds == most_rounds) return fail();
+        continue;
+      }
       state_.step = (target - state_.t) / 2;
       if (state_.step < spec_.smallest_step) return fail();
     }
@@ -72,6 +78,17 @@ class QuasiStaticSolver final : public Solver {
     equilibrium_.follow(next, (target - state_.t) * state_.v);
     if (world_.fabric().cell) world_.guide().lead(next);
     return next;
+  }
+
+  /// Where the load stays as it is a shorter step would come no further than this one did.
+  bool load_changes(double target) {
+    if (increment_.dissipates() || world_.fabric().cell) return true;
+    State later = state_;
+    later.t = target;
+    Points now, then;
+    increment_.value(state_, &now);
+    increment_.value(later, &then);
+    return now != then;
   }
 
   /// Normal forces of friction are taken from a rough balance at the end of the step: those at its beginning are wrong
