@@ -125,7 +125,7 @@ void relax_and_pull(benchmark::State& state) {
   }
 }
 BENCHMARK(relax_and_pull)
-    ->ArgsProduct({{0, 1, 2, 3}, {8, 12, 16, 24, 32, 40, 48}, {0, 30}, {25, 50, 100}})
+    ->ArgsProduct({{0, 1, 2, 3}, {8, 12, 16, 24, 32, 36, 40, 48}, {0, 30}, {25, 50, 100}})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

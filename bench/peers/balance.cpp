@@ -73,4 +73,12 @@ int Balance::ways_down() const {
   return static_cast<int>((curvatures.array() < -flat * curvatures.maxCoeff()).count());
 }
 
+void Balance::conclude(Answer& answer, const Stopwatch& watch) const {
+  answer.state = from_;
+  answer.evaluations = evaluations_;
+  answer.factorizations = factorizations_;
+  answer.processor = watch.processor();
+  answer.wall = watch.wall();
+}
+
 }  // namespace wale::peers

@@ -1,6 +1,8 @@
 /// Forces and stiffness at one load, as root-finders are given them.
 #pragma once
 
+#include "bench/peers/methods.hpp"
+#include "bench/peers/stopwatch.hpp"
 #include "sim/solvers/cholesky.hpp"
 #include "sim/solvers/increment.hpp"
 
@@ -41,8 +43,8 @@ class Balance {
   /// it takes all eigenvalues.
   int ways_down() const;
 
-  long evaluations() const { return evaluations_; }
-  long factorizations() const { return factorizations_; }
+  /// Says where it is, and what it took to get there.
+  void conclude(Answer& answer, const Stopwatch& watch) const;
 
  private:
   World& world_;

@@ -106,11 +106,7 @@ Answer rest_by_flow(World& world, const State& start, double until, const Rest& 
     answer.failure = descent.down_to(rest.tolerance * yarn.bending_rigidity / (yarn.diameter * yarn.diameter));
     answer.steps += descent.steps();
   }
-  answer.state = balance.from();
-  answer.evaluations = balance.evaluations();
-  answer.factorizations = balance.factorizations();
-  answer.processor = watch.processor();
-  answer.wall = watch.wall();
+  balance.conclude(answer, watch);
   return answer;
 }
 

@@ -93,11 +93,7 @@ Answer rest_by_kinsol(World& world, const State& start, double until, const Rest
     }
   }
   balance.load(t);
-  answer.state = balance.from();
-  answer.evaluations = balance.evaluations();
-  answer.factorizations = balance.factorizations();
-  answer.processor = watch.processor();
-  answer.wall = watch.wall();
+  balance.conclude(answer, watch);
   return answer;
 }
 
