@@ -21,7 +21,13 @@ template <class Act>
 Status each(std::size_t parts, const Act& act) {
   std::vector<Status> status(parts);
 #pragma omp parallel for schedule(static, 1) if (parts > 1)
-  for (std::size_t p = 0; p < parts; ++p) status[p] = act(p);
+  for (std::size_t p = 0; p < parts; ++p) {
+    try {
+      status[p] = act(p);
+    } catch (const std::bad_alloc&) {
+      status[p] = Status::no_memory;
+    }
+  }
   const Status worst = *std::max_element(status.begin(), status.end());
   if (worst == Status::no_memory) throw std::bad_alloc();
   return worst;
@@ -36,6 +42,7 @@ struct Cholesky::Work {
   std::vector<std::unique_ptr<PartFactor>> parts;
   std::vector<Eigen::MatrixXd> left;  // of the border by each part, while they are summed
   Eigen::MatrixXd border;             // U of what all parts leave of it, UᵀU; last coordinate first
+  bool is_factored = false;
 
   Eigen::Index border_size() const { return 3 * static_cast<Eigen::Index>(dissection->border.size()); }
   void follow_pattern(const Stiffness& K);
@@ -62,12 +69,8 @@ std::size_t Cholesky::Work::make_parts(const Stiffness& K) {
   parts.clear();
   parts.resize(dissection->parts.size());
   each(parts.size(), [&](std::size_t p) {
-    try {
-      parts[p] = std::make_unique<PartFactor>(K, used, dissection->parts[p], dissection->border);
-      return Status::good;
-    } catch (const std::bad_alloc&) {
-      return Status::no_memory;
-    }
+    parts[p] = std::make_unique<PartFactor>(K, used, dissection->parts[p], dissection->border);
+    return Status::good;
   });
   std::size_t values = 0;
   for (const auto& part : parts) values += part->values();
@@ -97,6 +100,7 @@ bool Cholesky::Work::factor_border(const Stiffness& K, double shift) {
 
 bool Cholesky::factor(const Stiffness& K, double shift) {
   Work& work = *work_;
+  work.is_factored = false;
   work.follow_pattern(K);
   work.left.resize(work.parts.size());
   const Status status = each(work.parts.size(), [&](std::size_t p) {
@@ -104,16 +108,18 @@ bool Cholesky::factor(const Stiffness& K, double shift) {
     if (found == Status::good) work.left[p] = work.parts[p]->left_of_border();
     return found;
   });
-  return status == Status::good && work.factor_border(K, shift);
+  work.is_factored = status == Status::good && work.factor_border(K, shift);
+  return work.is_factored;
 }
 
 int Cholesky::solves_a_factor() const {
+  if (!work_->is_factored) return -1;
   double factor = 0, solve = 0;  // products and sums
   for (const auto& part : work_->parts) {
     factor += part->factor_work();
     solve += 4 * static_cast<double>(part->values());
   }
-  return solve > 0 ? static_cast<int>(factor / (waiting_for_memory * solve)) : -1;
+  return static_cast<int>(factor / (waiting_for_memory * solve));
 }
 
 void Cholesky::solve(Eigen::VectorXd& x) const {

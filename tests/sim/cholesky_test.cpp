@@ -124,7 +124,9 @@ TEST(Cholesky, RefusesWhatIsNotPositiveDefinite) {
       Cholesky cholesky;
       EXPECT_TRUE(cholesky.factor(K, 1));
       K.add(at, at, Mat3(-1000 * Mat3::Identity()));
+      EXPECT_GE(cholesky.solves_a_factor(), 0);
       EXPECT_FALSE(cholesky.factor(K, 1));
+      EXPECT_EQ(cholesky.solves_a_factor(), -1) << "what failed must not serve again";
       EXPECT_TRUE(cholesky.factor(good, 1));
     }
   }
