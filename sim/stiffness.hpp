@@ -1,5 +1,4 @@
-/// The sparse symmetric matrix of second derivatives, in 3 x 3 blocks on a
-/// pattern that is kept between uses.
+/// The sparse symmetric matrix of second derivatives, in 3 x 3 blocks on a pattern that is kept between uses.
 #pragma once
 
 #include <omp.h>
@@ -12,11 +11,9 @@
 
 namespace wale {
 
-/// 3M x 3M, symmetric; blocks (i, j) with i <= j are stored. Blocks that were
-/// never touched are zero. A block keeps its slot, so a caller that adds to the
-/// same blocks again and again need look for them once only: see places().
-/// Copies share the pattern: a slot that one of them makes is one of all, and
-/// each has values of its own.
+/// 3M x 3M, symmetric; blocks (i, j) with i <= j are stored. Blocks that were never touched are zero. A block keeps its
+/// slot, so a caller that adds to the same blocks again and again need look for them once only: see places(). Copies
+/// share the pattern: a slot that one of them makes is one of all, and each has values of its own.
 class Stiffness {
  public:
   explicit Stiffness(int points);
@@ -25,8 +22,7 @@ class Stiffness {
   void clear();
   /// Gives a value, zero, to slots that a copy has made.
   void fit();
-  /// Adds to block (i, j), i <= j; block (j, i) follows by symmetry. A diagonal
-  /// block must be symmetric.
+  /// Adds to block (i, j), i <= j; block (j, i) follows by symmetry. A diagonal block must be symmetric.
   void add(int i, int j, const Mat3& block) { add_at(slot(i, j), block); }
   /// Where block (i, j), i <= j, lies; made if it is new.
   int slot(int i, int j);
@@ -35,9 +31,8 @@ class Stiffness {
   void add_at(int slot, const Mat3& block) { values_[static_cast<std::size_t>(slot)] += block; }
   const Mat3& at(int slot) const { return values_[static_cast<std::size_t>(slot)]; }
 
-  /// The slots of all blocks that `owner` adds to. `list(slots)` is called to
-  /// fill them when `owner` comes with a `version` (of its own list of blocks)
-  /// for the first time. The reference is good until the next call.
+  /// The slots of all blocks that `owner` adds to. `list(slots)` is called to fill them when `owner` comes with a
+  /// `version` (of its own list of blocks) for the first time. The reference is good until the next call.
   template <class List>
   const std::vector<int>& places(const void* owner, long version, const List& list) {
     auto [known, is_new] = pattern_->places.try_emplace(owner);
@@ -55,15 +50,13 @@ class Stiffness {
   void scale(double factor);
   /// Adds `factor` times another matrix of as many points.
   void add(const Stiffness& other, double factor);
-  /// Takes coordinate `axis` of a point out: no force on it, and none by it,
-  /// but `diagonal` times its own motion.
+  /// Takes coordinate `axis` of a point out: no force on it, and none by it, but `diagonal` times its own motion.
   void hold(int point, int axis, double diagonal);
   /// How many blocks there are.
   std::size_t slots() const { return pattern_->slots; }
   int points() const { return static_cast<int>(pattern_->rows.size()); }
 
-  /// Block (row, column) of the full matrix: the one in `slot`, or its
-  /// transpose if column < row.
+  /// Block (row, column) of the full matrix: the one in `slot`, or its transpose if column < row.
   struct Entry {
     int column = 0, slot = 0;
   };
@@ -88,11 +81,9 @@ class Stiffness {
   std::vector<Mat3> values_;  // by slot
 };
 
-/// Calls `add(first, last)` on each thread, or on one if the work is `little`,
-/// with a range of points; together they are all. A thread that adds only to
-/// columns and blocks (i, j) with first <= i < last, in an order that does not
-/// depend on the range, gives every sum the same bits for any number of
-/// threads.
+/// Calls `add(first, last)` on each thread, or on one if the work is `little`, with a range of points; together they
+/// are all. A thread that adds only to columns and blocks (i, j) with first <= i < last, in an order that does not
+/// depend on the range, gives every sum the same bits for any number of threads.
 template <class Add>
 void share_points(int points, bool little, const Add& add) {
 #pragma omp parallel if (!little)

@@ -13,15 +13,13 @@
 
 namespace wale {
 
-/// Which effects are meant: those that depend on position, those that depend on
-/// velocity, or all.
+/// Which effects are meant: those that depend on position, those that depend on velocity, or all.
 enum class Acting : std::uint8_t { all, elastic, dissipative };
 
 /// Not copyable: effects refer to its parts. `fabric` must outlive it.
 class World {
  public:
-  /// `tightening`, `lagged`: see Parts. `start` is where the stage begins:
-  /// tethers hold what lies there.
+  /// `tightening`, `lagged`: see Parts. `start` is where the stage begins: tethers hold what lies there.
   World(const Fabric& fabric, std::vector<EffectSpec> effects, Schedule tightening, State start,
         const std::vector<Clamp>& clamps = {}, bool lagged = false);
   World(const World&) = delete;
@@ -41,8 +39,7 @@ class World {
   /// q'' = M⁻¹ (force), under the constraints, m/s².
   void accelerate(const State&, Points& acceleration);
 
-  /// A solver looks here within a step, and gives the step up when it is set.
-  /// May be null; must outlive the world.
+  /// A solver looks here within a step, and gives the step up when it is set. May be null; must outlive the world.
   void heed(const std::atomic<bool>* interrupt) { interrupt_ = interrupt; }
   bool interrupted() const { return interrupt_ && interrupt_->load(); }
 
@@ -71,8 +68,8 @@ class World {
   const std::atomic<bool>* interrupt_ = nullptr;
 };
 
-/// The start of a run: control points as the compiler laid them, at rest; of a
-/// periodic fabric also its periods, as two more columns.
+/// The start of a run: control points as the compiler laid them, at rest; of a periodic fabric also its periods, as two
+/// more columns.
 State at_rest(const Fabric&);
 
 }  // namespace wale

@@ -11,12 +11,12 @@ namespace wale {
 namespace {
 
 constexpr double least_clearance = 0.1;  // of the diameter, between the axes of two yarns
-// Of the diameter, by a point between two looks at what has come near: from one
-// side of another yarn to the other with the least clearance on both.
+// Of the diameter, by a point between two looks at what has come near: from one side of another yarn to the other with
+// the least clearance on both.
 constexpr double furthest_unseen = 0.1;
 constexpr double never_through = 0.5;  // of the diameter: beads so far apart leave no room to slip between
-// Of the diameter: how far a point would move that is pulled by the largest
-// residual and held only by Levenberg's shift.
+// Of the diameter: how far a point would move that is pulled by the largest residual and held only by Levenberg's
+// shift.
 constexpr double reach_when_free = 1.5;
 constexpr int most_inner = 60;       // conjugate-gradient steps
 constexpr int most_corrections = 2;  // with the factor of one step
@@ -55,8 +55,7 @@ double Equilibrium::clearance_at(const State& state) const {
   return clearance(world_.fabric(), state.q, world_.gaps());
 }
 
-/// Looks at the yarns on the way as often as something could have come near
-/// that was not.
+/// Looks at the yarns on the way as often as something could have come near that was not.
 bool Equilibrium::stays_apart(const State& from, const Points& move) {
   const double enough = std::min(clearance_, least_clearance);
   const int looks = 1 + static_cast<int>(std::ceil(uneven_motion(from.q, move) / (furthest_unseen * thickness_)));
@@ -105,11 +104,11 @@ double Equilibrium::evaluate(const State& at, Points* force, Effort& effort) {
 /// An old factor serves as long as conjugate gradients cost less with it than a new one. A motion needs that of its own
 /// matrix: see precondition().
 bool Equilibrium::factor(const State& at, Effort& effort) {
-  // Inertia holds what is free as well, and to add to it would give or take
-  // momentum.
+  // Inertia holds what is free as well, and to add to it would give or take momentum.
   const double shift = increment_.has_inertia() ? 0 : residual_ / (reach_when_free * thickness_);
-  increment_.second(at, leeway_, shift, exact_, convex_);
-  if (!increment_.has_inertia() && inner_ <= cholesky_.solves_a_factor()) return true;
+  const bool serves = !increment_.has_inertia() && inner_ <= cholesky_.solves_a_factor();
+  increment_.second(at, leeway_, shift, exact_, serves ? nullptr : &convex_);
+  if (serves) return true;
   ++effort.factorizations;
   return cholesky_.factor(convex_, 0);
 }
@@ -122,8 +121,7 @@ void Equilibrium::precondition(Eigen::VectorXd& x) const {
 
 Equilibrium::Step Equilibrium::downhill(const Points& force) {
   Eigen::VectorXd residual = force.reshaped();  // of the model's gradient, with the sign of a force
-  Eigen::VectorXd move = Eigen::VectorXd::Zero(residual.size()),
-                  bent = move;  // bent = K move
+  Eigen::VectorXd move = Eigen::VectorXd::Zero(residual.size()), bent = move;  // bent = K move
   Eigen::VectorXd z = residual, along, stiff;
   precondition(z);
   along = z;
@@ -154,8 +152,7 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) {
   return step;
 }
 
-/// `move` from `from`, and what is found there; its energy is infinite if yarns
-/// would come too near on the way.
+/// `move` from `from`, and what is found there; its energy is infinite if yarns would come too near on the way.
 Equilibrium::Trial Equilibrium::attempt(const State& from, const Eigen::VectorXd& move, Effort& effort) {
   Trial trial{from, std::numeric_limits<double>::infinity(), {}};
   const Points by = increment_.spread(move.reshaped(3, move.size() / 3));
@@ -165,9 +162,8 @@ Equilibrium::Trial Equilibrium::attempt(const State& from, const Eigen::VectorXd
   return trial;
 }
 
-/// A straight step out of a curved valley stretches yarn by the square of its
-/// length. The factor at hand takes that out again, for much less than a new
-/// one costs.
+/// A straight step out of a curved valley stretches yarn by the square of its length. The factor at hand takes that out
+/// again, for much less than a new one costs.
 void Equilibrium::correct(Trial& trial, double tolerance, Effort& effort) {
   for (int i = 0; i < most_corrections; ++i) {
     Eigen::VectorXd move = trial.force.reshaped();
@@ -190,8 +186,8 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
   reach_ = 1;
   bool factored = false;
   for (int i = 0; i < iterations; ++i) {
-    residual_ = std::sqrt(now.force.colwise().squaredNorm().maxCoeff());
     worst_point_ = worst_column(now.force);
+    residual_ = now.force.col(worst_point_).norm();
     if (!std::isfinite(now.energy) || !now.force.allFinite()) return Answer::gave_up;
     if (residual_ < goal.residual) return Answer::found;
     if (world_.interrupted()) return Answer::gave_up;

@@ -9,12 +9,10 @@
 
 namespace wale {
 
-/// Trust-region Newton on the energy (Steihaug 1983): conjugate gradients on
-/// the exact second derivative, which may be indefinite where yarns are about
-/// to slip, preconditioned by the Cholesky factor of its Gauss-Newton part.
-/// Neighbours move no further against each other in one iteration than leaves
-/// every pair of yarns apart, and yarns that were not neighbours are looked for
-/// on the way, so no yarn can pass through another.
+/// Trust-region Newton on the energy (Steihaug 1983): conjugate gradients on the exact second derivative, which may be
+/// indefinite where yarns are about to slip, preconditioned by the Cholesky factor of its Gauss-Newton part.
+/// Neighbours move no further against each other in one iteration than leaves every pair of yarns apart, and yarns that
+/// were not neighbours are looked for on the way, so no yarn can pass through another.
 class Equilibrium {
  public:
   /// `increment` must outlive it.
@@ -29,13 +27,11 @@ class Equilibrium {
   /// Moves `state.q` until the goal is met.
   Answer relax(State& state, const Goal& goal, int iterations, Effort& effort);
 
-  /// Moves `state` along `move`, no further than neighbours may at once and no
-  /// yarn passes through another.
+  /// Moves `state` along `move`, no further than neighbours may at once and no yarn passes through another.
   void follow(State& state, const Points& move);
   /// x := K⁻¹ x with the last factor of relax(), under the constraints.
   void precondition(Eigen::VectorXd& x) const;
-  /// Lets the next relax() depend on nothing that came before, so that a state
-  /// taken up again leads to the same bits.
+  /// Lets the next relax() depend on nothing that came before, so that a state taken up again leads to the same bits.
   void forget() { cholesky_.forget(); }
   /// The largest residual force after relax(), N.
   double residual() const { return residual_; }

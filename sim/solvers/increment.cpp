@@ -3,8 +3,7 @@
 namespace wale {
 namespace {
 
-constexpr double held_stiffness = 1e3;  // N/m, of what does not move and feels
-                                        // no force: about as stiff as yarn
+constexpr double held_stiffness = 1e3;  // N/m, of what does not move and feels no force: about as stiff as yarn
 
 }  // namespace
 
@@ -65,31 +64,29 @@ double Increment::value(const State& at, Points* force) {
   return energy;
 }
 
-void Increment::second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness& convex) {
+void Increment::second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness* convex) {
   const bool periodic = !world_.ties().empty();
-  Stiffness &all_exact = periodic ? exact_ : exact, &all_convex = periodic ? convex_ : convex;
-  all_convex.clear();
+  Stiffness& all_exact = periodic ? exact_ : exact;
+  Stiffness* const all_convex = periodic && convex ? &convex_ : convex;
+  all_exact.clear();
   if (dissipates_) {
-    Load loss{.damping = &all_convex};
+    Load loss{.damping = &all_exact};
     world_.add_to(loss, moving(at), Acting::dissipative);
-    if (has_inertia()) damping_ = all_convex;
-    all_convex.scale(1 / time_);
+    if (has_inertia()) damping_ = all_exact;
+    all_exact.scale(1 / time_);
   }
-  all_exact = all_convex;
-  Load load{.stiffness = &all_exact, .convex = &all_convex};
+  if (all_convex) *all_convex = all_exact;
+  Load load{.stiffness = &all_exact, .convex = all_convex};
   world_.add_to(load, at, Acting::elastic);
-  if (has_inertia()) {
-    all_exact.add(mass_, 1 / (time_ * time_));
-    all_convex.add(mass_, 1 / (time_ * time_));
-  }
-  if (shift > 0) {
-    leeway.add_to(all_exact, shift);
-    leeway.add_to(all_convex, shift);
+  for (Stiffness* matrix : {&all_exact, all_convex}) {
+    if (!matrix) continue;
+    if (has_inertia()) matrix->add(mass_, 1 / (time_ * time_));
+    if (shift > 0) leeway.add_to(*matrix, shift);
   }
   damping_.fit();
   if (!periodic) return;
   gather(exact_, exact);
-  gather(convex_, convex);
+  if (convex) gather(convex_, *convex);
 }
 
 Points Increment::impulse(const Points& a, const Points& b) const {

@@ -6,24 +6,20 @@
 
 namespace wale {
 
-/// Φ(q) = V(q) + θ D(qD; (q - q0)/θ) + ½ (q - q1)·M (q - q1)/θ², where the
-/// velocity at the end is (q - q0)/θ, the acceleration (q - q1)/θ², and θ how
-/// long the step takes. That its slope is zero is the balance of forces there.
-/// D has its normal forces and directions from a given qD: lagged, so that
-/// there is an energy to be made least (Li et al. 2020, "Incremental potential
-/// contact"). A quasi-static step has no last term.
+/// Φ(q) = V(q) + θ D(qD; (q - q0)/θ) + ½ (q - q1)·M (q - q1)/θ², where the velocity at the end is (q - q0)/θ, the
+/// acceleration (q - q1)/θ², and θ how long the step takes. That its slope is zero is the balance of forces there. D
+/// has its normal forces and directions from a given qD: lagged, so that there is an energy to be made least (Li et
+/// al. 2020, "Incremental potential contact"). A quasi-static step has no last term.
 class Increment {
  public:
-  /// `world` must outlive it, and be lagged if anything in it depends on
-  /// velocity.
+  /// `world` must outlive it, and be lagged if anything in it depends on velocity.
   explicit Increment(World& world);
 
   /// A quasi-static step from `from`, q0, that takes `time`, s. `lagged` is qD.
   void begin(const State& lagged, double time, Points from);
   /// From now on qD is `lagged`.
   void lag(const State& lagged);
-  /// Where a motion would be after `time` s at its old velocity (`coasting`,
-  /// q1), and where it would be at none
+  /// Where a motion would be after `time` s at its old velocity (`coasting`, q1), and where it would be at none
   /// (`from`, q0); 3 x M. Not of a periodic fabric.
   void begin(const State& lagged, double time, Points from, Points coasting);
   /// Whether the last begin() was of a motion.
@@ -31,22 +27,18 @@ class Increment {
   bool dissipates() const { return dissipates_; }
   /// Brings caches up to date for V at `at`.
   void prepare(const State& at) { world_.prepare(at, Acting::elastic); }
-  /// Φ, J; and the force -dΦ/dx, N, if it is wanted, on what may move: 3 x
-  /// points(). Prepares.
+  /// Φ, J; and the force -dΦ/dx, N, if it is wanted, on what may move: 3 x points(). Prepares.
   double value(const State& at, Points* force);
-  /// The second derivative of Φ by what may move, N/m, and its part that is
-  /// positive semidefinite for sure, at the last state prepared; both with
-  /// Levenberg's shift against the motion of neighbours. `exact` and `convex`
-  /// share one pattern.
-  void second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness& convex);
+  /// The second derivative of Φ by what may move, N/m, and, if wanted, its part that is positive semidefinite for sure,
+  /// at the last state prepared; both with Levenberg's shift against the motion of neighbours.
+  void second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness* convex);
 
-  /// The right side of second() x = impulse(a, b) that has x = (I - θJ)⁻¹ (a,
-  /// b), its positions, where J is the Jacobian of the motion and (a, b) are
-  /// positions and velocities.
+  /// The right side of second() x = impulse(a, b) that has x = (I - θJ)⁻¹ (a, b), its positions, where J is the
+  /// Jacobian of the motion and (a, b) are positions and velocities.
   Points impulse(const Points& a, const Points& b) const;
 
-  /// Columns of what may move: the control points, or those of a periodic
-  /// fabric that do not follow others, and its periods.
+  /// Columns of what may move: the control points, or those of a periodic fabric that do not follow others, and its
+  /// periods.
   int points() const { return world_.ties().free_columns(); }
   /// The motion of all control points that goes with one of what may move.
   Points spread(const Points& move) const { return world_.ties().spread(move); }

@@ -1,5 +1,4 @@
-/// How far neighbouring pieces of yarn may move against each other in one step
-/// of an iteration.
+/// How far neighbouring pieces of yarn may move against each other in one step of an iteration.
 #pragma once
 
 #include <vector>
@@ -8,23 +7,20 @@
 
 namespace wale {
 
-/// Neighbours are control points that follow each other along a yarn, and
-/// segments of which the contact list says that they are near. Motion that they
-/// share costs nothing: a swatch of any size may be stretched, moved or turned
-/// in as many iterations as a small one.
+/// Neighbours are control points that follow each other along a yarn, and segments of which the contact list says that
+/// they are near. Motion that they share costs nothing: a swatch of any size may be stretched, moved or turned in as
+/// many iterations as a small one.
 class Leeway {
  public:
   explicit Leeway(const Fabric&);
 
   /// Takes the neighbours that are near now.
   void update(const Points& q, const std::vector<Gap>& gaps);
-  /// The largest motion of neighbours against each other, over what they are
-  /// allowed: 0.3 d along a yarn; of two segments 0.9 of their gap, so that
-  /// they do not meet, between 0.1 and 0.6 d. `move` has the columns of
+  /// The largest motion of neighbours against each other, over what they are allowed: 0.3 d along a yarn; of two
+  /// segments 0.9 of their gap, so that they do not meet, between 0.1 and 0.6 d. `move` has the columns of
   /// State::q.
   double share(const Points& move) const;
-  /// Adds weight/2 Σ |Δ_i - Δ_j|² over neighbours that touch, and a hundredth
-  /// of it for motion that all share; N/m.
+  /// Adds weight/2 Σ |Δ_i - Δ_j|² over neighbours that touch, and a hundredth of it for motion that all share; N/m.
   void add_to(Stiffness& K, double weight) const;
 
  private:
@@ -34,7 +30,7 @@ class Leeway {
     double allowed = 0;  // m
     bool touches = false;
   };
-  /// Calls add(i, j, factor) for every block that add_to() adds to, i <= j.
+  /// Calls add(i, j, factor) for every block between neighbours that add_to() adds to, i <= j.
   template <class Add>
   void each_block(const Add& add) const;
 
