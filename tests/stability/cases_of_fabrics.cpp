@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "compiler/compile.hpp"
+#include "tests/stability/hard_case.hpp"
+
+namespace wale::stability {
+namespace {
+
+HardScene compiled(const std::string& text, int first_tested) {
+  Sources sources;
+  Diagnostics say;
+  const Source* source = sources.add(WALE_SOURCE_DIR "/patterns/stability.scene.yaml", text);
+  auto scene = compile_scene(*source, sources, say);
+  if (!scene || say.failed()) throw std::runtime_error("a scene of the hard cases does not compile:\n" + text);
+  HardScene hard;
+  hard.scene = std::move(*scene);
+  hard.first_tested = first_tested;
+  return hard;
+}
+
+/// 2 x 2 stitches of an endless fabric, whose loops are pulled tight before it is tested.
+HardScene cell(const std::string& stages, int first_tested = 2, const std::string& pattern = "jersey") {
+  return compiled("scene: 1\nfabric: {pattern: " + pattern +
+                      ".yaml, wales: 2, courses: 2, periodic: true, segments_per_stitch: 12}\n"
+                      "effects: {stretch: , bend: , contact: }\nsolver: {quasi_static: {tolerance: 0.02}}\nstages:\n"
+                      "  - {name: tighten, duration: 1 s, tighten: 100 %, samples: 4}\n"
+                      "  - {name: relax, duration: 1 s, samples: 1}\n" +
+                      stages,
+                  first_tested);
+}
+
+/// The loop length over the diameter; `loops` are tightened to it.
+HardScene cell_of(double loop_over_diameter) {
+  HardScene hard = cell("", 0);
+  const double loop = loop_over_diameter * hard.scene.fabric.materials.front().diameter;
+  for (Segment& segment : hard.scene.fabric.segments) segment.knitted *= loop / 7.23e-3;
+  return hard;
+}
+
+/// What is knitted is so many percent of what is laid.
+HardScene shrunk(double percent) {
+  HardScene hard = cell("", 0);
+  for (Segment& segment : hard.scene.fabric.segments) segment.knitted = percent / 100 * segment.length;
+  return hard;
+}
+
+HardScene pulled_cell(const std::string& how, double percent, int samples) {
+  return cell(fmt::format("  - {{name: pull, duration: 1 s, samples: {}, {}}}\n", samples, fmt::format(fmt::runtime(how), percent)));
+}
+HardScene along_wales(double percent) { return pulled_cell("pull: {{along: wale, to: {} %}}", percent, 40); }
+HardScene along_courses(double percent) { return pulled_cell("pull: {{along: course, to: {} %}}", percent, 40); }
+HardScene in_one_step(double percent) { return pulled_cell("pull: {{along: wale, to: {} %}}", percent, 1); }
+HardScene bias(double percent) { return pulled_cell("deform: {{shear: {} %}}", percent, 40); }
+
+/// A swatch that is tightened and laid flat before it is tested.
+HardScene swatch(int wales, int courses, const std::string& stages, const std::string& pattern = "jersey") {
+  return compiled(fmt::format("scene: 1\nfabric: {{pattern: {}.yaml, wales: {}, courses: {}, segments_per_stitch: 10}}\n"
+                              "effects: {{stretch: , bend: , contact: , knots: , drag: }}\n"
+                              "solver: {{quasi_static: {{tolerance: 0.3}}}}\nstages:\n"
+                              "  - {{name: tighten, duration: 1 s, samples: 2, tighten: 100 %, hold: ends,"
+                              " effects: {{plates: {{gap: 1.2 mm}}}}, solver: {{quasi_static: {{tolerance: 1}}}}}}\n"
+                              "  - {{name: relax, duration: 1 s, samples: 1, effects: {{plates: {{gap: 1.2 mm}}}}}}\n",
+                              pattern, wales, courses) +
+                      stages,
+                  2);
+}
+
+HardScene pulled_swatch(int wales, int courses, double percent) {
+  return swatch(wales, courses,
+                fmt::format("  - {{name: pull, duration: 2 ms, samples: 10, pull: {{along: wale, to: {} %}}}}\n", percent));
+}
+HardScene small_swatch(double percent) { return pulled_swatch(3, 3, percent); }
+HardScene one_wale(double courses) { return pulled_swatch(1, static_cast<int>(courses), 10); }
+HardScene one_course(double wales) { return pulled_swatch(static_cast<int>(wales), 1, 10); }
+
+/// Pulled to so many percent, then let go.
+HardScene let_go(double percent) {
+  HardScene hard = swatch(3, 3,
+                          fmt::format("  - {{name: pull, duration: 1 s, samples: 10, pull: {{along: wale, to: {} %}}}}\n"
+                                      "  - {{name: let go, duration: 1 ms, samples: 20}}\n",
+                                      percent));
+  hard.first_tested = 3;
+  hard.only_loses = true;
+  return hard;
+}
+
+/// A flat swatch falls by so many times its weight, held at nothing.
+HardScene let_fall(double weights) {
+  HardScene hard = swatch(3, 3, fmt::format("  - {{name: fall, duration: 1 ms, samples: 10, effects: {{gravity: {{acceleration: "
+                                            "{} m/s^2}}, plates: {{gap: 4 mm}}}}}}\n", 9.81 * weights));
+  return hard;
+}
+
+}  // namespace
+
+std::vector<HardCase> cases_of_fabrics() {
+  const std::vector<SolverKind> still{SolverKind::quasi_static};
+  return {
+      {"loop length over diameter", "", {25, 14}, {25, 20, 16, 14, 13, 12, 11, 10, 9, 8, 7, 6}, cell_of, still},
+      {"knitted over laid length", "%", {100, 70}, {100, 90, 80, 70, 60, 55, 50, 45, 40}, shrunk, still},
+      {"cell pulled along its wales", "%", {100}, {50, 100, 150, 200, 250, 300}, along_wales, still},
+      {"cell pulled along its courses", "%", {100}, {50, 100, 150, 200, 250, 300}, along_courses, still},
+      {"cell pulled in one step", "%", {40}, {10, 20, 40, 80, 120, 160, 200, 300}, in_one_step, still},
+      {"cell sheared", "%", {40}, {20, 40, 60, 80, 100, 150, 200, 300}, bias, still},
+      {"swatch pulled", "%", {20}, {20, 40, 80, 120, 160, 200, 300}, small_swatch},
+      {"one wale of many courses", "courses", {1, 4}, {1, 2, 3, 5, 10, 20}, one_wale},
+      {"one course of many wales", "wales", {1, 4}, {1, 2, 3, 5, 10, 20}, one_course},
+      {"swatch let go", "%", {20}, {10, 20, 40, 80, 120}, let_go},
+      {"swatch that falls", "times its weight", {1e3}, {1, 1e2, 1e3, 1e4, 1e5}, let_fall},
+  };
+}
+
+}  // namespace wale::stability
