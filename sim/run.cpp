@@ -172,6 +172,8 @@ class Run {
         break;
       }
     }
+    // A sample that is not balanced to its end would not be balanced on when it is taken up: an interruption waits.
+    world->heed(nullptr);
     if (outcome == Outcome::finished) sharpen(index, setup, *solver, state);
     add_effort(solver->effort());
     return outcome;
@@ -212,6 +214,9 @@ class Run {
     results_.effort.rejected += effort.rejected;
     results_.effort.evaluations += effort.evaluations;
     results_.effort.factorizations += effort.factorizations;
+    results_.effort.retries.halved += effort.retries.halved;
+    results_.effort.retries.continued += effort.retries.continued;
+    results_.effort.retries.damped += effort.retries.damped;
     results_.effort.failure = effort.failure;
   }
 

@@ -14,9 +14,17 @@ class World;
 
 enum class Progress { stepped, arrived, failed };
 
+/// How steps on which no solution was found, or none that is finite, were tried again.
+struct Retries {
+  long halved = 0;     ///< shorter
+  long continued = 0;  ///< on from where they got, as the load stays
+  long damped = 0;     ///< held back by inertia, once they could not be shorter
+};
+
 /// What a run has cost so far.
 struct Effort {
   long accepted = 0, rejected = 0, evaluations = 0, factorizations = 0;
+  Retries retries{};
   std::string failure;  ///< one sentence, when advance() answered `failed`
 };
 

@@ -12,10 +12,12 @@ namespace wale::stability {
 namespace {
 
 struct Options {
-  std::string only;
+  std::string only, solver, law;
   double seconds = 60;
   bool every_rung = false;
 };
+
+bool has(const std::string& name, const std::string& part) { return name.find(part) != std::string::npos; }
 
 std::string rung_name(const HardCase& of, double rung) { return fmt::format("{:g} {}", rung, of.unit); }
 
@@ -39,11 +41,14 @@ std::string climb(const HardCase& of, SolverKind kind, ContactLaw law, const Opt
 }
 
 void climb_all(const Options& options) {
-  fmt::print("| case | solver | contact | last that holds | first that does not | what happens |\n|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| case | solver | contact | last that holds | first that does not | what happens "
+      "|\n|---|---|---|---|---|---|\n");
   for (const HardCase& of : hard_cases()) {
-    if (of.name.find(options.only) == std::string::npos) continue;
+    if (!has(of.name, options.only)) continue;
     for (const SolverKind kind : of.solvers)
       for (const ContactLaw law : {ContactLaw::barrier, ContactLaw::quadratic, ContactLaw::core_shell}) {
+        if (!has(name_of(kind), options.solver) || !has(name_of(law), options.law)) continue;
         fmt::print("| {} | {} | {} | {} |\n", of.name, name_of(kind), name_of(law), climb(of, kind, law, options));
         std::fflush(stdout);
       }
@@ -57,6 +62,8 @@ int main(int count, char** arguments) {
   wale::stability::Options options;
   CLI::App app("Climbs the hard cases of tests/stability until something breaks");
   app.add_option("--only", options.only, "Only cases with this in their name");
+  app.add_option("--solver", options.solver, "Only by solvers with this in their name");
+  app.add_option("--law", options.law, "Only with laws of contact with this in their name");
   app.add_option("--seconds", options.seconds, "Stop a run after so long");
   app.add_flag("--every-rung", options.every_rung, "Say on stderr how each rung ends");
   CLI11_PARSE(app, count, arguments);

@@ -40,6 +40,10 @@ void describe_cell(const Reader& in, std::optional<PeriodicCell>& cell) {
 bool has_places(const Writer&) { return true; }
 bool has_places(const Reader& segments) { return segments.group().has("column"); }
 
+/// Nor how often a step was tried again.
+bool has_retries(const Writer&) { return true; }
+bool has_retries(const Reader& report) { return report.group().has("retries"); }
+
 template <class Archive, class AnyFabric>
 void describe_fabric(Archive in, AnyFabric& fabric) {
   auto materials = in.group("materials");
@@ -123,6 +127,12 @@ void describe_report(Archive in, AnyResults& results) {
   effort.value("evaluations", results.effort.evaluations);
   effort.value("factorizations", results.effort.factorizations);
   effort.value("failure", results.effort.failure);
+  if (has_retries(in)) {
+    auto retries = in.group("retries");
+    retries.value("halved", results.effort.retries.halved);
+    retries.value("continued", results.effort.retries.continued);
+    retries.value("damped", results.effort.retries.damped);
+  }
   auto topology = in.group("topology");
   topology.value("expected", results.topology.expected);
   topology.value("found", results.topology.found);

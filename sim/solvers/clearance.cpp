@@ -42,6 +42,15 @@ double chord_distance(const Vec3& a, const Vec3& u, const Vec3& b, const Vec3& v
   return (apart + s * u - t * v).norm();
 }
 
+/// Whether they share a point, or have so little yarn between them that none can pass there.
+bool follow_each_other(const Fabric& fabric, const Gap& gap) {
+  if (!gap.image.isZero() || fabric.segment(gap.a).yarn != fabric.segment(gap.b).yarn) return false;
+  const int first = std::min(gap.a, gap.b), last = std::max(gap.a, gap.b);
+  double between = 0;  // m
+  for (int i = first + 1; i < last && between < gap.diameter; ++i) between += fabric.segment(i).knitted;
+  return between < gap.diameter;
+}
+
 }  // namespace
 
 double thinnest_diameter(const Fabric& fabric) {
@@ -50,9 +59,7 @@ double thinnest_diameter(const Fabric& fabric) {
 }
 
 double axis_distance(const Fabric& fabric, const Points& q, const Gap& gap) {
-  const bool follow_each_other =
-      gap.image.isZero() && fabric.segment(gap.a).yarn == fabric.segment(gap.b).yarn && std::abs(gap.a - gap.b) <= 1;
-  if (follow_each_other) return gap.distance;  // they share a point
+  if (follow_each_other(fabric, gap)) return gap.distance;
   const Chords a = chords_of(fabric, q, gap.a);
   Chords b = chords_of(fabric, q, gap.b);
   if (!gap.image.isZero())
@@ -69,6 +76,17 @@ double clearance(const Fabric& fabric, const Points& q, const std::vector<Gap>& 
   for (const Gap& gap : gaps)
     if (gap.distance < near * gap.diameter) least = std::min(least, axis_distance(fabric, q, gap) / gap.diameter);
   return least;
+}
+
+int about_to_pass(const Fabric& fabric, const Points& before, const Points& after, const std::vector<Gap>& gaps) {
+  for (const Gap& gap : gaps) {
+    const bool may_pass = fabric.material_of(gap.a).law == ContactLaw::quadratic ||
+                          fabric.material_of(gap.b).law == ContactLaw::quadratic;
+    if (may_pass || !(gap.distance < near * gap.diameter)) continue;
+    const double apart = axis_distance(fabric, after, gap);
+    if (apart < least_clearance * gap.diameter && apart < axis_distance(fabric, before, gap)) return gap.a;
+  }
+  return -1;
 }
 
 double uneven_motion(const Points& q, const Points& move) {

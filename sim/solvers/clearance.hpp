@@ -15,6 +15,14 @@ double axis_distance(const Fabric&, const Points& q, const Gap&);
 /// that; else a half.
 double clearance(const Fabric&, const Points& q, const std::vector<Gap>& gaps);
 
+/// The least distance of the axes of two yarns that a solver lets them come to, over their contact diameter: beads are
+/// samples, between which yarns may slip.
+inline constexpr double least_clearance = 0.1;
+
+/// Of the pairs among `gaps`, which are those at `after`, the first segment of one whose axes are nearer than that and
+/// have come nearer since `before`; -1 if there is none. The quadratic law lets yarns pass, and they may.
+int about_to_pass(const Fabric&, const Points& before, const Points& after, const std::vector<Gap>& gaps);
+
 /// The largest motion of a column of `move` beyond what a uniform strain, turn and shift of all of `q` explains, m.
 double uneven_motion(const Points& q, const Points& move);
 

@@ -10,7 +10,6 @@
 namespace wale {
 namespace {
 
-constexpr double least_clearance = 0.1;  // of the diameter, between the axes of two yarns
 // Of the diameter, by a point between two looks at what has come near: from one side of another yarn to the other with
 // the least clearance on both.
 constexpr double furthest_unseen = 0.1;

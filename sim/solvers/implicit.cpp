@@ -57,6 +57,7 @@ class ImplicitSolver final : public Solver {
       if (!found) {
         worst_point_ = equilibrium_.worst_point();
         tries.halve();
+        ++effort_.retries.halved;
       } else if (tries.keep(scaled_error(tries.to() - state_.t))) {
         accept(tries.step());
         return state_.t >= until ? Progress::arrived : Progress::stepped;

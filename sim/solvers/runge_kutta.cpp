@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "sim/solver.hpp"
+#include "sim/solvers/clearance.hpp"
 #include "sim/solvers/explicit_stepper.hpp"
 #include "sim/solvers/step_control.hpp"
+#include "sim/solvers/whereabouts.hpp"
 #include "sim/world.hpp"
 
 namespace wale {
@@ -48,10 +50,12 @@ class RungeKuttaSolver final : public Solver {
     while (!tries.shorter_than(1e-14 * std::abs(state_.t) + std::numeric_limits<double>::min())) {
       stepper_.attempt(tries.to());
       if (tries.keep(attempted_error())) {
+        if (const int passing = segment_passing(); passing >= 0) return fail_to_hold(passing);
         accept(tries.step());
         return state_.t >= until ? Progress::arrived : Progress::stepped;
       }
       ++effort_.rejected;
+      if (!stepper_.attempted().allFinite()) ++effort_.retries.halved;
     }
     return fail("the time step shrank to nothing");
   }
@@ -85,6 +89,23 @@ class RungeKuttaSolver final : public Solver {
   double attempted_error() const {
     return stepper_.attempted().allFinite() ? scaled_error(stepper_.attempted(), stepper_.error(), tolerance_)
                                             : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// A segment of a pair that the attempted step, whose end is the last that was prepared, leads through each other; -1
+  /// if none.
+  int segment_passing() const {
+    if (!(world_.closest() < 0.5)) return -1;
+    State next = state_;
+    unpack(stepper_.attempted(), next);
+    return about_to_pass(world_.fabric(), state_.q, next.q, world_.gaps());
+  }
+
+  Progress fail_to_hold(int segment) {
+    effort_.failure = fmt::format(
+        "two yarns are about to pass through each other at t = {:.6g} s, {}: contact cannot bear the load, and with a "
+        "finer sampling bears more",
+        state_.t, whereabouts(world_, world_.fabric().first_point(segment) + 1));
+    return Progress::failed;
   }
 
   void accept(double next) {

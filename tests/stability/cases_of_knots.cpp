@@ -41,8 +41,8 @@ std::vector<Vec3> overhand(double hand) {
 HardScene overhand_knot(double way) {
   Fabric fabric = fabric_of();
   lay(fabric, overhand(1));
-  std::vector<Tether> ends{{.segments = start_of(fabric, 0), .move = -way / 2 * mm * x},
-                           {.segments = end_of(fabric, 0), .move = way / 2 * mm * x}};
+  std::vector<Tether> ends{{.label = "left", .segments = start_of(fabric, 0), .move = -way / 2 * mm * x},
+                           {.label = "right", .segments = end_of(fabric, 0), .move = way / 2 * mm * x}};
   HardScene hard = tightened(std::move(fabric), std::move(ends));
   hard.tied = true;
   return hard;
@@ -52,15 +52,22 @@ HardScene overhand_knot(double way) {
 HardScene square_knot(double way) {
   Fabric fabric = fabric_of();
   const double a = 1.6 * mm, b = 0.6 * mm, h = 0.95 * mm;
-  lay(fabric, {{-10 * mm, a, 0}, {-2 * mm, a, 0}, {0, a, 0}, {1.6 * mm, a, 0}, {1.6 * mm, -a, 0}, {0, -a, 0},
-               {-2 * mm, -a, 0}, {-10 * mm, -a, 0}});
-  const std::vector<Vec3> half{{10 * mm, b, 0}, {3 * mm, b, -h}, {1.2 * mm, b, -h}, {0, 0.8 * mm, 0.2 * mm},
-                               {-0.8 * mm, a, h}, {-1.6 * mm, a + 0.8 * mm, 0}, {-2.4 * mm, a, -h}};
+  lay(fabric, {{-10 * mm, a, 0},
+               {-2 * mm, a, 0},
+               {0, a, 0},
+               {1.6 * mm, a, 0},
+               {1.6 * mm, -a, 0},
+               {0, -a, 0},
+               {-2 * mm, -a, 0},
+               {-10 * mm, -a, 0}});
+  const std::vector<Vec3> half{{10 * mm, b, 0},         {3 * mm, b, -h},   {1.2 * mm, b, -h},
+                               {0, 0.8 * mm, 0.2 * mm}, {-0.8 * mm, a, h}, {-1.6 * mm, a + 0.8 * mm, 0},
+                               {-2.4 * mm, a, -h}};
   std::vector<Vec3> whole = half;
   for (auto point = half.rbegin(); point != half.rend(); ++point) whole.push_back(point->cwiseProduct(Vec3(1, -1, 1)));
   lay(fabric, whole);
-  std::vector<Tether> ends{{.segments = ends_of(fabric, 0), .move = -way / 2 * mm * x},
-                           {.segments = ends_of(fabric, 1), .move = way / 2 * mm * x}};
+  std::vector<Tether> ends{{.label = "left", .segments = ends_of(fabric, 0), .move = -way / 2 * mm * x},
+                           {.label = "right", .segments = ends_of(fabric, 1), .move = way / 2 * mm * x}};
   HardScene hard = tightened(std::move(fabric), std::move(ends));
   hard.closings = {{0, round_by(-x, Vec3::UnitY(), -x)}, {1, round_by(x, Vec3::UnitY(), x)}};
   return hard;

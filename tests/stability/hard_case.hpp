@@ -19,9 +19,9 @@ struct HardScene {
   Scene scene;
   int first_tested = 0;             ///< stages before it only prepare: with their own solver
   std::vector<Closing> closings{};  ///< whose linking numbers stay; those of a periodic fabric's courses always do
-  bool tied = false;                ///< the first yarn is a knot, seen along z, that does not open: see knot_determinant()
-  bool only_loses = false;          ///< nothing does work in the tested stages, so energy never grows
-  bool by_itself = false;           ///< nothing acts from outside, so momentum and angular momentum stay
+  bool tied = false;        ///< the first yarn is a knot, seen along z, that does not open: see knot_determinant()
+  bool only_loses = false;  ///< nothing does work in the tested stages, so energy never grows
+  bool by_itself = false;   ///< nothing acts from outside, so momentum and angular momentum stay
 };
 
 enum class SolverKind : std::uint8_t { runge_kutta, implicit, quasi_static };

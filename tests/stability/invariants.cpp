@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "sim/mass.hpp"
@@ -13,8 +14,10 @@ namespace {
 
 using Broken = std::optional<std::string>;
 
-// What errors of the time steps may add, over the largest value.
-constexpr double energy_error = 1e-3, angular_error = 1e-3, momentum_error = 1e-8;
+// What errors of the time steps may add: of a momentum over the sum of its parts.
+constexpr double angular_error = 1e-3, momentum_error = 1e-8;
+constexpr double drowned = 1e-9;  // of the largest energy: rounding
+constexpr double unbalanced = 1;  // diameters, over which the force that is let stand may do work
 
 Broken not_finite(const Results& results) {
   for (const Snapshot& snapshot : results.snapshots)
@@ -37,13 +40,26 @@ std::vector<double> energies(const Results& results, const Table& table) {
   return sums;
 }
 
+/// By how much an energy of `before` may grow, J: by errors of the time steps, and by rounding beside the `largest`;
+/// where forces balance, by what the force that is let stand may do.
+double energy_error(const SolverSpec& solver, const Fabric& fabric, double before, double largest) {
+  if (const auto* still = std::get_if<QuasiStatic>(&solver))
+    return allowed_residual(*still, fabric) * unbalanced * fabric.materials.front().diameter;
+  const auto* implicit = std::get_if<Implicit>(&solver);
+  const double relative = implicit ? 3 * implicit->relative : 10 * std::get<RungeKutta>(solver).relative;
+  return relative * std::abs(before) + drowned * largest;
+}
+
 Broken energy_grew(const HardScene& hard, const Results& results) {
   const Table& table = results.samples;
   if (!hard.only_loses || table.rows() == 0) return {};
   const std::vector<double> energy = energies(results, table), &stage = table.find("stage")->values;
+  const double largest = *std::max_element(energy.begin(), energy.end());
   for (std::size_t row = 1; row < energy.size(); ++row) {
     if (stage[row] < hard.first_tested || stage[row] != stage[row - 1]) continue;
-    if (!(energy[row] <= energy[row - 1] + energy_error * std::abs(energy[row - 1])))
+    const SolverSpec& solver = results.scene.stages[static_cast<std::size_t>(stage[row])].solver;
+    const double error = energy_error(solver, results.scene.fabric, energy[row - 1], largest);
+    if (!(energy[row] <= energy[row - 1] + error))
       return fmt::format("energy grew from {:.4g} J to {:.4g} J", energy[row - 1], energy[row]);
   }
   return {};

@@ -102,7 +102,7 @@ std::optional<std::string> passed_through(const HardScene& hard, const Results& 
     knotted = determinant;
   }
   if (!results.topology.intact())
-    return fmt::format("yarn passed through yarn: {} of {} crossings are left", results.topology.found,
+    return fmt::format("a loop came out of another: {} of {} crossings are left", results.topology.found,
                        results.topology.expected);
   return {};
 }

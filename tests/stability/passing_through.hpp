@@ -14,8 +14,8 @@ namespace wale::stability {
 /// must be finite.
 std::optional<std::string> passed_through(const HardScene&, const Results&);
 
-/// |Δ(-1)| of a knot's Alexander polynomial, by the crossings of its yarn seen along z: 1 if it opens, 3 for an overhand
-/// knot, 9 for a square knot. No end may lie behind or before the knot.
+/// |Δ(-1)| of a knot's Alexander polynomial, by the crossings of its yarn seen along z: 1 if it opens, 3 for an
+/// overhand knot, 9 for a square knot. No end may lie behind or before the knot.
 long knot_determinant(const Fabric&, const Points& q);
 
 /// The courses of `up` repeats of a periodic fabric as closed curves: its course period is bent into a circle, by a

@@ -49,7 +49,9 @@ HardScene renumbered(const HardScene& hard) {
   Scene& scene = turned.scene;
   const std::vector<int> becomes = new_segments(scene.fabric);
   const auto renumber = [&](int& segment) { segment = becomes[static_cast<std::size_t>(segment)]; };
-  const auto renumber_all = [&](std::vector<int>& segments) { std::for_each(segments.begin(), segments.end(), renumber); };
+  const auto renumber_all = [&](std::vector<int>& segments) {
+    std::for_each(segments.begin(), segments.end(), renumber);
+  };
   const int last_yarn = static_cast<int>(scene.fabric.yarns.size()) - 1;
   scene.fabric = turned_about(scene.fabric, becomes);
   for (auto* ends : {&scene.gauge.wale_ends, &scene.gauge.course_ends})

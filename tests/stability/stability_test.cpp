@@ -22,7 +22,8 @@ std::vector<Climb> all_climbs() {
 
 std::string name_of(const testing::TestParamInfo<Climb>& info) {
   std::string name = info.param.of->name + " by " + name_of(info.param.solver);
-  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
   return name;
 }
 

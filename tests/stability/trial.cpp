@@ -25,8 +25,8 @@ Outcome run_patiently(Results& results, const Patience& patience) {
   options.interrupt = &enough;
   options.progress = [&](const RunStatus&) {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-    enough = (patience.steps > 0 && ++steps >= patience.steps) ||
-             (patience.seconds > 0 && taken.count() > patience.seconds);
+    enough =
+        (patience.steps > 0 && ++steps >= patience.steps) || (patience.seconds > 0 && taken.count() > patience.seconds);
   };
   return run(results, options);
 }
