@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/effects/beads.hpp"
 #include "sim/tile.hpp"
 
 namespace wale {
@@ -32,6 +33,11 @@ void World::add(std::unique_ptr<Effect> effect) { effects_.push_back(std::move(e
 void World::prepare(const State& state, Acting which) {
   for (auto& effect : effects_)
     if (is_meant(*effect, which)) effect->prepare(state);
+}
+
+void World::forget() {
+  for (auto* made : {&parts_.made_beads, &parts_.made_lagged_beads})
+    for (auto& [setting, beads] : *made) beads->forget_list();
 }
 
 bool World::dissipates() const {

@@ -31,6 +31,9 @@ class World {
 
   /// Brings the caches of effects up to date; call before evaluate().
   void prepare(const State&, Acting = Acting::all);
+  /// The next prepare() makes anew what is only brought up to date else, as that of a world just made does: which pairs
+  /// that do not touch gaps() names depends on where it was asked before.
+  void forget();
   /// Clears what `out` asks for, then adds every effect that is meant.
   void evaluate(const State&, Load& out, Acting = Acting::all) const;
   /// Adds every effect that is meant to what `out` holds.

@@ -34,6 +34,8 @@ class Beads {
 
   /// Renews the list if beads have moved too far since it was made. Measures every pair.
   void prepare(const Points& q);
+  /// The next prepare() renews the list however little has moved.
+  void forget_list() { listed_rows_.clear(); }
 
   /// Ascending by image, a, b; each two pieces of yarn of an endless fabric once.
   const std::vector<SegmentPair>& pairs() const { return pairs_; }

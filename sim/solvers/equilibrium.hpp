@@ -32,7 +32,10 @@ class Equilibrium {
   /// x := K⁻¹ x with the last factor of relax(), under the constraints.
   void precondition(Eigen::VectorXd& x) const;
   /// Lets the next relax() depend on nothing that came before, so that a state taken up again leads to the same bits.
-  void forget() { cholesky_.forget(); }
+  void forget() {
+    cholesky_.forget();
+    world_.forget();
+  }
   /// The largest residual force after relax(), N.
   double residual() const { return residual_; }
   /// The control point that it acts on: a column of what may move.

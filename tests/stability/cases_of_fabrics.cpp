@@ -73,7 +73,7 @@ HardScene swatch(int wales, int courses, const std::string& stages, const std::s
 HardScene pulled_swatch(int wales, int courses, double percent) {
   return swatch(
       wales, courses,
-      fmt::format("  - {{name: pull, duration: 2 ms, samples: 10, pull: {{along: wale, to: {} %}}}}\n", percent));
+      fmt::format("  - {{name: pull, duration: 0.5 ms, samples: 10, pull: {{along: wale, to: {} %}}}}\n", percent));
 }
 HardScene small_swatch(double percent) { return pulled_swatch(3, 3, percent); }
 HardScene one_wale(double courses) { return pulled_swatch(1, static_cast<int>(courses), 10); }
@@ -85,7 +85,7 @@ HardScene let_go(double percent) {
       4, 4,
       fmt::format(
           "  - {{name: pull, duration: 1 s, samples: 10, pull: {{along: wale, to: {} %}}, effects: {{friction: }}}}\n"
-          "  - {{name: let go, duration: 1 ms, samples: 20, effects: {{friction: {{threshold: 10 mm/s}}}}}}\n",
+          "  - {{name: let go, duration: 0.5 ms, samples: 20, effects: {{friction: {{threshold: 10 mm/s}}}}}}\n",
           percent));
   hard.first_tested = 3;
   hard.only_loses = true;
@@ -113,15 +113,15 @@ HardScene cut(double percent) {
 std::vector<HardCase> cases_of_fabrics() {
   const std::vector<SolverKind> still{SolverKind::quasi_static};
   return {
-      {"loop length over diameter", "", {25, 14}, {25, 20, 16, 14, 13, 12, 11, 10, 9, 8, 7, 6}, cell_of, still},
-      {"knitted over laid length", "%", {100, 70}, {100, 90, 80, 70, 60, 55, 50, 45, 40}, shrunk, still},
+      {"loop length over diameter", "", {14}, {25, 20, 16, 14, 13, 12, 11, 10, 9, 8, 7, 6}, cell_of, still},
+      {"knitted over laid length", "%", {70}, {100, 90, 80, 70, 60, 55, 50, 45, 40}, shrunk, still},
       {"cell pulled along its wales", "%", {100}, {50, 100, 150, 200, 250, 300}, along_wales, still},
       {"cell pulled along its courses", "%", {100}, {50, 100, 150, 200, 250, 300}, along_courses, still},
       {"cell pulled in one step", "%", {40}, {10, 20, 40, 80, 120, 160, 200, 300}, in_one_step, still},
       {"cell sheared", "%", {40}, {20, 40, 60, 80, 100, 150, 200, 300}, bias, still},
       {"swatch pulled", "%", {20}, {20, 40, 80, 120, 160, 200, 300}, small_swatch},
-      {"one wale of many courses", "courses", {1, 4}, {1, 2, 3, 5, 10, 20}, one_wale},
-      {"one course of many wales", "wales", {1, 4}, {1, 2, 3, 5, 10, 20}, one_course},
+      {"one wale of many courses", "courses", {4}, {1, 2, 3, 5, 10, 20}, one_wale},
+      {"one course of many wales", "wales", {1}, {1, 2, 3, 5, 10, 20}, one_course},
       {"swatch let go", "%", {20}, {10, 20, 40, 80, 120}, let_go},
       {"swatch with a yarn cut", "% of its length", {50}, {10, 50, 90}, cut},
   };

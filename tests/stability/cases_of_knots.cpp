@@ -9,7 +9,7 @@ namespace {
 
 const Vec3 x = Vec3::UnitX();
 constexpr double mm = 1e-3;
-constexpr double pull_time = 5e-3;  // s
+constexpr double pull_time = 2e-3;  // s
 
 HardScene tightened(Fabric fabric, std::vector<Tether> ends) {
   HardScene hard;

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "sim/polyline.hpp"
 #include "tests/stability/hard_case.hpp"
 #include "tests/stability/laid_yarns.hpp"
 #include "tests/support/make_fabric.hpp"
@@ -59,7 +58,7 @@ HardScene driven(double way, double speed) {
 HardScene driven_through(double millimetres) { return driven(1e-3 * millimetres, 10); }
 HardScene jerked(double speed) { return driven(4e-3, speed); }
 
-constexpr double pull_time = 1e-3;  // s
+constexpr double pull_time = 0.4e-3;  // s
 
 /// Hooked loops pulled apart by `way`, m, in samples of 5 %.
 HardScene pulled_apart(Fabric fabric, double way, std::vector<EffectSpec> more = {}, double duration = pull_time) {
@@ -121,11 +120,7 @@ HardScene unequal(double orders) {
     place += k % 4 == 1 ? spacing : shorter * spacing;
   }
   fabric.points.row(0).head(first.points()).array() -= fabric.points.row(0).head(first.points()).mean();
-  for (int i = 0; i < first.segments; ++i) {
-    const Points line = polyline(fabric, fabric.points, i, i, 1);
-    Segment& segment = fabric.segments[static_cast<std::size_t>(i)];
-    segment.length = segment.knitted = (line.col(1) - line.col(0)).norm();
-  }
+  unstretch(fabric, 0);
   HardScene hard = one_stage(std::move(fabric), 50e-6, 10, yarn_and({ContactDamping{.normal = 1e3}}));
   hard.closings = crosswise;
   return hard;
@@ -203,24 +198,24 @@ HardScene switched(double times) {
 std::vector<HardCase> cases_of_yarns() {
   const std::vector<SolverKind> in_time{SolverKind::runge_kutta, SolverKind::implicit};
   return {
-      {"overlap at the start", "% of d", {10, 60}, {10, 30, 50, 60, 70, 80, 85, 90, 95}, overlap},
-      {"yarn driven across yarn", "mm", {2, 4}, {2, 3, 4, 5, 6, 8}, driven_through},
-      {"yarn jerked across yarn", "m/s", {10, 100}, {1, 10, 100, 300, 1000, 3000}, jerked},
-      {"hooked loops pulled", "mm", {0.5, 2}, {0.5, 1, 2, 3, 4, 6, 8}, pulled},
+      {"overlap at the start", "% of d", {60}, {10, 30, 50, 60, 70, 80, 85, 90, 95}, overlap},
+      {"yarn driven across yarn", "mm", {4}, {2, 3, 4, 5, 6, 8}, driven_through},
+      {"yarn jerked across yarn", "m/s", {100}, {1, 10, 100, 300, 1000, 3000}, jerked},
+      {"hooked loops pulled", "mm", {1}, {0.5, 1, 2, 3, 4, 6, 8}, pulled},
       {"the same, contact sampled to 0.3 %", "mm", {2}, {1, 2, 3, 4, 6, 8, 12}, pulled_with_fine_beads},
       {"EA softer", "orders of magnitude", {3}, {1, 2, 3, 4}, softer<&Material::axial_stiffness>},
       {"EA stiffer", "orders of magnitude", {2}, {1, 2, 3, 4}, stiffer<&Material::axial_stiffness>},
       {"EI softer", "orders of magnitude", {4}, {1, 2, 3, 4, 6}, softer<&Material::bending_rigidity>},
-      {"EI stiffer", "orders of magnitude", {2}, {1, 2, 3, 4}, stiffer<&Material::bending_rigidity>},
+      {"EI stiffer", "orders of magnitude", {1}, {1, 2, 3, 4}, stiffer<&Material::bending_rigidity>},
       {"contact softer", "orders of magnitude", {0.5}, {0.5, 1, 2, 3}, softer<&Material::contact_stiffness>},
       {"contact stiffer", "orders of magnitude", {2}, {1, 2, 3, 4}, stiffer<&Material::contact_stiffness>},
       {"soft beside stiff in one loop", "times softer", {1e2}, {1e1, 1e2, 1e3, 1e4, 1e5, 1e6}, soft_beside_stiff},
-      {"friction", "", {0, 2}, {0, 0.3, 1, 2, 5}, rubs},
+      {"friction", "", {2}, {0, 0.3, 1, 2, 5}, rubs},
       {"unequal segments", "orders of magnitude", {0.5}, {0.5, 1, 2, 3, 4, 6, 9}, unequal},
       {"folded back", "segments", {1}, {1, 2, 4, 8}, folded_back},
       {"yarns of one segment", "times their weight", {1e3}, {1e1, 1e2, 1e3, 1e4, 1e5, 1e6}, single_segments},
-      {"buckled strip", "% of its length", {10, 40}, {1, 5, 10, 20, 40, 60, 80}, buckled},
-      {"fall on a yarn", "times its weight", {1e3, 1e5}, {1e3, 1e4, 1e5, 1e6, 1e7}, falls, in_time},
+      {"buckled strip", "% of its length", {40}, {1, 5, 10, 20, 40, 60, 80}, buckled},
+      {"fall on a yarn", "times its weight", {1e5}, {1e3, 1e4, 1e5, 1e6, 1e7}, falls, in_time},
       {"contact switched", "times", {4}, {2, 4, 10, 20, 40}, switched},
   };
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/polyline.hpp"
 #include "tests/support/make_fabric.hpp"
 
 namespace wale::stability {
@@ -60,6 +61,16 @@ void lay(Fabric& fabric, const std::vector<Vec3>& corners, int material) {
   points.col(0) = 2 * points.col(1) - points.col(2);
   points.col(segments + 2) = 2 * points.col(segments + 1) - points.col(segments);
   add_yarn(fabric, points, length / segments, material);
+  unstretch(fabric, static_cast<int>(fabric.yarns.size()) - 1);
+}
+
+void unstretch(Fabric& fabric, int yarn) {
+  const Yarn& of = fabric.yarns[static_cast<std::size_t>(yarn)];
+  for (int i = of.first_segment; i < of.first_segment + of.segments; ++i) {
+    const Points line = polyline(fabric, fabric.points, i, i, 16);
+    Segment& segment = fabric.segments[static_cast<std::size_t>(i)];
+    segment.length = segment.knitted = (line.rightCols(16) - line.leftCols(16)).colwise().norm().sum();
+  }
 }
 
 Fabric crossing(double gap) {

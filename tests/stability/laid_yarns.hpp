@@ -13,6 +13,9 @@ constexpr double far_off = 1;   ///< m
 /// Appends an unstretched yarn along the line through `corners` (m), which are cut off round.
 void lay(Fabric& fabric, const std::vector<Vec3>& corners, int material = 0);
 
+/// Makes each segment of a yarn as long as it lies.
+void unstretch(Fabric& fabric, int yarn);
+
 /// An empty fabric of these materials.
 Fabric fabric_of(std::vector<Material> materials = {Material{}});
 
