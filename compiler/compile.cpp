@@ -213,11 +213,20 @@ std::optional<Compiled> compile_pattern(const Source& source, const ParsedScene&
   return compile_chart(source, scene.overrides, scene.segments_per_stitch, say);
 }
 
+void change(ParsedScene& scene, const FabricChanges& changes) {
+  scene.segments_per_stitch = changes.segments_per_stitch.value_or(scene.segments_per_stitch);
+  if (changes.wales) scene.overrides.wales = changes.wales;
+  if (changes.courses) scene.overrides.courses = changes.courses;
+  scene.overrides.periodic = changes.periodic.value_or(scene.overrides.periodic);
+}
+
 }  // namespace
 
-std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagnostics& say) {
+std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagnostics& say,
+                                   const FabricChanges& changes) {
   auto parsed = parse_scene(source, say);
   if (!parsed) return std::nullopt;
+  change(*parsed, changes);
   const Source* pattern = read_pattern(*parsed, sources, say);
   if (!pattern || !suits(*parsed, holds_knitout(*pattern), say)) return std::nullopt;
   auto compiled = compile_pattern(*pattern, *parsed, say);
