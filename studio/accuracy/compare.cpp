@@ -79,6 +79,7 @@ void compare(Study& study) {
   for (Ladder& ladder : study.ladders) {
     for (Trial& trial : ladder.trials) {
       trial.error = trial.found ? difference(*trial.found, reference) : unknown_errors();
+      if (&trial == finest[0]) trial.error = study.reference_error;
       trial.rests_elsewhere = rests_apart(trial.error);
     }
     set_own_errors(ladder);
