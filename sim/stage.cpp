@@ -149,7 +149,7 @@ std::vector<Quantity> StageSetup::measure(World& world, const State& state) cons
     effect->add(state, load);
     total += force;
     if (!effect->dissipative()) row.push_back({"energy." + std::string(effect->name()), "J", energy});
-    if (effect->name().starts_with("obstacle")) measure_obstacle(*effect, -force.rowwise().sum(), row);
+    if (effect->name().starts_with("obstacle")) measure_obstacle(*effect, Vec3::Zero() - force.rowwise().sum(), row);
     for (int end = 0; end < 2; ++end)
       if (effect->name() == grip_labels[end]) grip_load[end] = force.rowwise().sum().dot(along);
   }

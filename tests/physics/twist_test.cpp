@@ -3,8 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/compile.hpp"
+#include "sim/run.hpp"
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/modes.hpp"
+#include "tests/support/one_thread.hpp"
 
 namespace wale {
 namespace {
@@ -64,6 +67,35 @@ double buckling_torque(double guess) {
 
 /// Greenhill 1883: tan(M L / 2 EI) = M L / 2 EI.
 TEST(Twist, BucklesAClampedRodUnderGreenhillsTorque) { EXPECT_NEAR(buckling_torque(8.98682), 8.98682, 2e-3 * 8.98682); }
+
+/// How far the wales of jersey without end lean along the courses, over their height, under a torque in its yarn.
+double lean_of_jersey(const std::string& torque) {
+  Sources sources;
+  Diagnostics say;
+  const auto scene =
+      compile_scene(*sources.add(WALE_SOURCE_DIR "/scene.yaml",
+                                 "scene: 1\n"
+                                 "fabric: {pattern: patterns/jersey.yaml, wales: 1, courses: 1, periodic: true}\n"
+                                 "effects: {stretch: , bend: , contact: }\n"
+                                 "stages:\n"
+                                 "  - {name: tighten, duration: 1 s, tighten: 100 %, samples: 2}\n"
+                                 "  - {name: spiral, duration: 1 s, samples: 2, effects: {twist: {to: " +
+                                     torque + "}}}\nsolver: {quasi_static: {tolerance: 1e-4}}\n"),
+                    sources, say);
+  Results results;
+  results.scene = scene.value();
+  EXPECT_EQ(run(results, {}), Outcome::finished) << results.effort.failure;
+  const auto periods = results.snapshots.back().state.q.rightCols<2>();
+  return periods(0, 1) / periods(1, 1);
+}
+
+TEST(Twist, LeansTheWalesOfJerseyToTheSideOfItsHand) {
+  const OneThread one_thread;
+  const double right = lean_of_jersey("2e-6 N m"), left = lean_of_jersey("-2e-6 N m"), none = lean_of_jersey("0 N m");
+  EXPECT_GT(right, 0.01);
+  EXPECT_NEAR(left, -right, 0.01 * right);
+  EXPECT_NEAR(none, 0, 1e-3 * right);
+}
 
 }  // namespace
 }  // namespace wale
