@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 void write_fabric(const Results& results, const Snapshot& snapshot, ColourBy colour, const std::string& title,
                   const fs::path& path) {
   const Scene& scene = results.scene;
-  const PictureOptions options{title, colour, tightening_at(scene, snapshot), {}, 900};
+  const PictureOptions options{title, colour, rest_lengths_at(scene, snapshot), {}, 900};
   const Fabric shown = shown_fabric(scene.fabric, scene.gauge, snapshot.state.q);
   write_file(path.string(), fabric_svg(shown, shown.points, options));
 }
