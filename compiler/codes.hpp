@@ -86,13 +86,15 @@ inline constexpr auto front_codes = std::to_array<CodeInfo>({
      "fabric: {pattern: cable.k, crop: {courses: 1-20}}   # of a chart: wales: 12, courses: 20"},
     {"S008", Severity::error, "a stitch setting that no program has, in a table of stitch lengths",
      "stitch_length: {otherwise: 9 mm, 6: 9.5 mm, 25/40: 8 mm}"},
-    {"S009", Severity::error, "a scene gives a material to a yarn or a carrier that its pattern does not have",
+    {"S009", Severity::error, "a scene names a yarn or a carrier that its pattern does not have",
      "fabric: {pattern: plating.k, yarn: acrylic_16_2, yarns: {2: paper-as-printed}}"},
     {"S010", Severity::error, "a scene asks a periodic fabric for what only a swatch has, or the other way about",
      "- {name: tighten, duration: 1 s, tighten: 100 %}\n"
      "- {name: stretch, duration: 8 s, deform: {wale: 100 %, course: free, shear: held}}"},
     {"S011", Severity::error, "a list of strains stands still somewhere, or is not as long as the one beside it",
      "pull: {along: wale, to: [60 %, 0 %, 60 %, 0 %]}"},
+    {"S012", Severity::error, "pressure in a fabric that is no tube, so that it encloses nothing",
+     "form: tube   # in the chart; then in the scene `effects: {pressure: {to: 2 kPa}}`"},
 });
 
 /// All codes, the front's first.

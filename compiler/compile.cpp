@@ -8,6 +8,8 @@
 #include "compiler/front/scene.hpp"
 #include "compiler/jamming.hpp"
 #include "compiler/passes/program_codes.hpp"
+#include "compiler/passes/tube.hpp"
+#include "compiler/spelling.hpp"
 
 namespace wale {
 namespace {
@@ -207,31 +209,88 @@ std::optional<Compiled> compile_knitout(const Source& source, const KnitoutOptio
 
 namespace {
 
-std::optional<Compiled> compile_pattern(const Source& source, const ParsedScene& scene, Diagnostics& say) {
-  if (holds_knitout(source))
-    return compile_knitout(source, scene.knitout, scene.overrides.materials, scene.segments_per_stitch, say);
-  return compile_chart(source, scene.overrides, scene.segments_per_stitch, say);
+struct CompiledPattern {
+  Compiled compiled;
+  std::vector<std::string> yarns;  // by material
+  std::string_view kind;           // what they are called
+};
+
+std::optional<CompiledPattern> compile_pattern(const Source& source, const ParsedScene& scene, Diagnostics& say) {
+  if (holds_knitout(source)) {
+    auto made = compile_knitout(source, scene.knitout, scene.overrides.materials, scene.segments_per_stitch, say);
+    if (!made) return std::nullopt;
+    std::vector<std::string> carriers = made->program.carriers;
+    return CompiledPattern{std::move(*made), std::move(carriers), "carrier"};
+  }
+  auto made = compile_chart(source, scene.overrides, scene.segments_per_stitch, say);
+  if (!made) return std::nullopt;
+  std::vector<std::string> names;
+  for (const ChartYarn& yarn : made->chart.yarns) names.push_back(yarn.name);
+  return CompiledPattern{std::move(*made), std::move(names), "yarn"};
+}
+
+/// The place in CompiledPattern::yarns of each yarn that the scene names.
+std::vector<int> find_mentioned(const Mentions& mentions, const CompiledPattern& of, Diagnostics& say) {
+  if (!mentions.tubes.empty() && !find_tube(of.compiled.graph))
+    say.error("S012", mentions.tubes.front(), "there is pressure in a tube only, and this fabric is none",
+              "leave it out, or knit a tube: `form: tube` in the chart");
+  std::vector<int> places;
+  for (const Mentions::Yarn& yarn : mentions.yarns) {
+    const auto found = std::find(of.yarns.begin(), of.yarns.end(), yarn.name);
+    places.push_back(static_cast<int>(found - of.yarns.begin()));
+    if (found == of.yarns.end())
+      say.error("S009", yarn.span, fmt::format("the pattern has no {} \"{}\"", of.kind, yarn.name),
+                suggest(yarn.name, {of.yarns.begin(), of.yarns.end()}));
+  }
+  return places;
+}
+
+/// What is known only with the fabric: knots, and which materials effects and stages mean.
+void fill_in(Stage& stage, const Knots& ends, const std::vector<int>& places) {
+  const auto look_up = [&](std::vector<int>& materials) {
+    for (int& material : materials) material = places[static_cast<std::size_t>(material)];
+  };
+  for (Shrink& shrink : stage.shrink) look_up(shrink.materials);
+  for (EffectSpec& effect : stage.effects) {
+    if (Knots* knots = std::get_if<Knots>(&effect)) knots->knots = ends.knots;
+    std::visit(
+        [&](auto& spec) {
+          if constexpr (requires { spec.materials; }) look_up(spec.materials);
+        },
+        effect);
+  }
+}
+
+void change(ParsedScene& scene, const FabricChanges& changes) {
+  scene.segments_per_stitch = changes.segments_per_stitch.value_or(scene.segments_per_stitch);
+  if (changes.wales) scene.overrides.wales = changes.wales;
+  if (changes.courses) scene.overrides.courses = changes.courses;
+  scene.overrides.periodic = changes.periodic.value_or(scene.overrides.periodic);
 }
 
 }  // namespace
 
-std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagnostics& say) {
+std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagnostics& say,
+                                   const FabricChanges& changes) {
   auto parsed = parse_scene(source, say);
   if (!parsed) return std::nullopt;
+  change(*parsed, changes);
   const Source* pattern = read_pattern(*parsed, sources, say);
   if (!pattern || !suits(*parsed, holds_knitout(*pattern), say)) return std::nullopt;
-  auto compiled = compile_pattern(*pattern, *parsed, say);
-  if (!compiled) return std::nullopt;
+  auto made = compile_pattern(*pattern, *parsed, say);
+  if (!made) return std::nullopt;
+  const std::size_t errors = say.error_count();
+  const std::vector<int> places = find_mentioned(parsed->mentions, *made, say);
+  if (say.error_count() > errors) return std::nullopt;
 
+  Compiled& compiled = made->compiled;
   double diameter = 0;
-  for (const Material& yarn : compiled->fabric.materials) diameter = std::max(diameter, yarn.diameter);
-  compiled->gauge.thickness = parsed->thickness > 0 ? parsed->thickness : 2 * diameter;
-  const Knots ends = secured_ends(compiled->fabric);
-  for (Stage& stage : parsed->stages)
-    for (EffectSpec& effect : stage.effects)
-      if (Knots* knots = std::get_if<Knots>(&effect)) knots->knots = ends.knots;
-  return Scene{parsed->name, std::move(compiled->fabric),   std::move(parsed->stages), std::move(compiled->gauge),
-               {},           std::move(compiled->crossings)};
+  for (const Material& yarn : compiled.fabric.materials) diameter = std::max(diameter, yarn.diameter);
+  compiled.gauge.thickness = parsed->thickness > 0 ? parsed->thickness : 2 * diameter;
+  const Knots ends = secured_ends(compiled.fabric);
+  for (Stage& stage : parsed->stages) fill_in(stage, ends, places);
+  return Scene{parsed->name, std::move(compiled.fabric),   std::move(parsed->stages), std::move(compiled.gauge),
+               {},           std::move(compiled.crossings)};
 }
 
 }  // namespace wale

@@ -50,8 +50,16 @@ Knitted knit_knitout(const Source&, const KnitoutOptions&, Diagnostics&);
 std::optional<Compiled> compile_knitout(const Source&, const KnitoutOptions&, const YarnMaterials& given,
                                         int segments_per_stitch, Diagnostics&);
 
+/// What a scene's fabric is compiled with in place of what its file says. Wales, courses and `periodic` are of charts
+/// only.
+struct FabricChanges {
+  std::optional<int> segments_per_stitch;  ///< at least 8
+  std::optional<int> wales, courses;
+  std::optional<bool> periodic;
+};
+
 /// A scene file, and the chart or knitout file that it names (read through `sources`, relative to the scene file), to a
 /// Scene.
-std::optional<Scene> compile_scene(const Source&, Sources& sources, Diagnostics&);
+std::optional<Scene> compile_scene(const Source&, Sources& sources, Diagnostics&, const FabricChanges& = {});
 
 }  // namespace wale

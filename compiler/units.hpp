@@ -23,6 +23,7 @@ inline constexpr Dimension force{"N", "a force", "68.1 N"};
 inline constexpr Dimension stress{"Pa", "a pressure", "79 MPa"};
 inline constexpr Dimension linear_density{"kg/m", "a linear density", "77 tex"};
 inline constexpr Dimension bending_rigidity{"N m2", "a bending rigidity", "1.47e-8 N m^2"};
+inline constexpr Dimension torque{"N m", "a torque", "1e-6 N m"};
 inline constexpr Dimension stiffness{"N/m", "a stiffness", "100 N/m"};
 inline constexpr Dimension foundation{"N/m2", "a stiffness per length", "1e4 N/m^2"};
 inline constexpr Dimension spring{"N/m", "a spring stiffness", "100 N/m"};

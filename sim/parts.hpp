@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sim/effect.hpp"
-#include "sim/scene.hpp"
+#include "sim/rest_length.hpp"
 
 namespace wale {
 
@@ -18,13 +18,9 @@ struct Parts {
   const Schedule& tightening;  ///< 0: rest length is Segment::length, 1: Segment::knitted
   const State& start;          ///< where the stage begins
 
-  /// The rest length of a segment (Ding et al. 2023, Eq. A.7, segment by segment) where the tightening has come to
-  /// `tightness`, m.
-  static double rest_length(const Segment& of, double tightness) {
-    return of.length + (of.knitted - of.length) * tightness;
-  }
-  /// The same at time t.
-  double rest_length(int segment, double t) const { return rest_length(fabric.segment(segment), tightening(t)); }
+  RestLengths rest_lengths(double t) const { return rest_lengths_at(tightening, left, t); }
+  /// Of one segment, m.
+  double rest_length(int segment, double t) const;
   /// The contact beads for this sampling and screening, made when first asked for and shared by contact and its
   /// damping.
   std::shared_ptr<Beads> beads(double sampling, double screening);
@@ -34,6 +30,7 @@ struct Parts {
   /// Whether effects that depend on velocity are asked about the positions where a step began, while the others are
   /// asked about those where it ends.
   bool lagged = false;
+  std::vector<Schedule> left{};  ///< by material, what shrinking leaves of its rest length; empty: all of it
   std::map<std::pair<double, double>, std::shared_ptr<Beads>> made_beads{}, made_lagged_beads{};
 };
 
@@ -47,6 +44,9 @@ std::unique_ptr<Effect> make(const ContactDamping&, Parts&);
 std::unique_ptr<Effect> make(const Friction&, Parts&);
 std::unique_ptr<Effect> make(const Tether&, Parts&);
 std::unique_ptr<Effect> make(const Plates&, Parts&);
+std::unique_ptr<Effect> make(const Obstacle&, Parts&);
+std::unique_ptr<Effect> make(const Pressure&, Parts&);
+std::unique_ptr<Effect> make(const Twist&, Parts&);
 std::unique_ptr<Effect> make(const Knots&, Parts&);
 
 }  // namespace wale

@@ -86,7 +86,8 @@ class Run {
     const bool gripped_before = stage > 0 && grips(stage_at(stage - 1));
     if (grips(of) && !gripped_before)
       results_.relaxed = measure(results_.scene.fabric, results_.scene.gauge, results_.snapshots.back().state.q);
-    const StageSetup setup(results_.scene, of, start_of(stage), tightened_before(stage), results_.relaxed);
+    const StageSetup setup(results_.scene, of, start_of(stage), rest_lengths_before(results_.scene, stage),
+                           results_.relaxed);
     residual_.reset();
     record(stage, setup, start_of(stage));
   }
@@ -95,12 +96,6 @@ class Run {
     for (const Snapshot& snapshot : results_.snapshots)
       if (snapshot.stage == stage && snapshot.sample == 0) return snapshot.state;
     return results_.snapshots.back().state;
-  }
-
-  double tightened_before(int stage) const {
-    double share = 0;
-    for (int i = 0; i < stage; ++i) share = stage_at(i).tighten.value_or(share);
-    return share;
   }
 
   int samples_done(int stage) const {
@@ -116,7 +111,7 @@ class Run {
     State state = results_.snapshots.back().state;
     if (results_.snapshots.back().sample < 0) results_.snapshots.pop_back();
     for (int sample = samples_done(index) + 1; sample <= stage.samples; ++sample) {
-      const StageSetup setup(results_.scene, stage, start, tightened_before(index), results_.relaxed,
+      const StageSetup setup(results_.scene, stage, start, rest_lengths_before(results_.scene, index), results_.relaxed,
                              travels_to(index));
       const auto begun = std::chrono::steady_clock::now();
       const Outcome outcome = until(index, setup, stage.duration * sample / stage.samples, state);

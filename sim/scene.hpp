@@ -31,10 +31,12 @@ struct Bend {
 /// V = -rho l0 ∫ y·g ds (Eq. 15, sign corrected).
 struct Gravity {
   Vec3 acceleration{0, -9.81, 0};  ///< g, m/s²
+  std::vector<int> materials{};    ///< of the yarns that it acts on, places in Fabric::materials; empty: of all
 };
 /// D = k_g l ∫ |v|² ds (Eq. 16, with the factor l).
 struct Drag {
-  double coefficient = 0.02;  ///< k_g, kg/(m s)
+  double coefficient = 0.02;     ///< k_g, kg/(m s)
+  std::vector<int> materials{};  ///< see Gravity
 };
 /// Yarns push each other apart; law, stiffness and diameter are the material's (Eqs. 17-20).
 struct Contact {
@@ -74,6 +76,38 @@ struct Plates {
   double gap = 2e-3;       ///< m, between the planes that the yarn axes may not pass
 };
 
+/// A rigid, smooth body that yarns cannot enter: V = k_o l0 ∫ max(0, d/2 - gap)² ds, with the distance `gap` of the
+/// yarn axis from its surface and the contact diameter d. Pressed by f a length, a yarn sinks in by f / (2 k_o).
+struct Obstacle {
+  enum class Shape : std::uint8_t { plane, cylinder, sphere };
+  std::string label = "obstacle";
+  Shape shape = Shape::plane;
+  Vec3 centre{0, 0, 0};          ///< at p = 0; of a plane any point, of a cylinder any point of its axis, m
+  Vec3 axis{0, 0, 1};            ///< of length 1: a plane's normal, towards the yarns; a cylinder's axis; no sphere's
+  double radius = 0;             ///< m; no plane's
+  double stiffness = 1e6;        ///< k_o, N/m²
+  Vec3 move{0, 0, 0};            ///< by which the centre has moved at p = 1, m
+  Schedule progress = 0.0;       ///< p(t)
+  std::vector<int> materials{};  ///< see Gravity
+};
+/// What blows a tube up: V = -p h A. A is the area that the yarns enclose as seen along the tube's axis, all their
+/// turns together, and h the height of one turn, so that h A is the tube's volume. Positive blows it up.
+struct Pressure {
+  double from = 0, to = 0;  ///< p where `progress` is 0 and 1, Pa
+  Vec3 axis{0, 1, 0};       ///< of length 1
+  double spacing = 0;  ///< h, m; 0: as the yarns lie where the stage begins, their extent along the axis over their
+                       ///< turns about it
+  Schedule progress = 1.0;
+};
+/// A yarn that is twisted and cannot turn about itself at its ends bears a torque M along it: V = -2π M (Wr - Wr_0),
+/// with the writhe Wr of its axis, and Wr_0 that where the stage begins. Positive is the torque of right-handed (Z)
+/// twist.
+struct Twist {
+  double from = 0, to = 0;  ///< M where `progress` is 0 and 1, N m
+  Schedule progress = 1.0;
+  std::vector<int> materials{};  ///< see Gravity
+};
+
 /// A point of one segment tied to a point of another.
 struct Knot {
   int segment_a = 0, segment_b = 0;
@@ -87,7 +121,8 @@ struct Knots {
   double stiffness = 100;  ///< k, N/m
 };
 
-using EffectSpec = std::variant<Stretch, Bend, Gravity, Drag, Contact, ContactDamping, Friction, Tether, Plates, Knots>;
+using EffectSpec = std::variant<Stretch, Bend, Gravity, Drag, Contact, ContactDamping, Friction, Tether, Plates,
+                                Obstacle, Pressure, Twist, Knots>;
 
 /// Explicit Runge-Kutta methods with an embedded error estimate, adaptive (Hairer, Nørsett & Wanner I, II.4, II.5).
 struct RungeKutta {
@@ -145,11 +180,19 @@ struct Deform {
 
 enum class Hold : std::uint8_t { none, ends, periods };
 
+/// What yarn loses of its rest length, as one that is heated or that acts by itself.
+struct Shrink {
+  std::vector<int> materials{};  ///< places in Fabric::materials; empty: all yarns
+  double by = 0;                 ///< share of the length that the tightening leaves, at the end of the stage; negative:
+                                 ///< it grows
+};
+
 struct Stage {
   std::string name = "run";         ///< "tighten", "relax", "pull": in results and messages
   double duration = 1;              ///< s; quasi-static: the load parameter's range
   int samples = 10;                 ///< snapshots at even intervals, the last one at the end
   std::optional<double> tighten;    ///< rest lengths go to this share of the way from `length` to `knitted`
+  std::vector<Shrink> shrink;       ///< each yarn by the last that names it; the others stay as shrunk as they were
   Hold hold = Hold::none;           ///< `ends`: cast-on and bind-off are held and shrink with the rest length;
                                     ///< `periods`: those of a periodic fabric are held
   std::optional<Along> mount;       ///< grips close and move apart until they read no force; a sample a move

@@ -20,6 +20,13 @@ double mean_shrinkage(const Fabric& fabric) {
   return knitted / laid;
 }
 
+/// What the fabric presses on an obstacle.
+void measure_obstacle(const Effect& obstacle, const Vec3& force, std::vector<Quantity>& row) {
+  const std::string name = "force." + std::string(obstacle.name());
+  const char* const axes[] = {".x", ".y", ".z"};
+  for (int axis = 0; axis < 3; ++axis) row.push_back({name + axes[axis], "N", force[axis]});
+}
+
 Vec3 unit(Along along) { return along == Along::wale ? Vec3::UnitY() : Vec3::UnitX(); }
 
 }  // namespace
@@ -30,13 +37,13 @@ Vec3 centre_of(const Fabric& fabric, const std::vector<int>& segments, const Poi
   return sum / std::max<double>(1, static_cast<double>(segments.size()));
 }
 
-StageSetup::StageSetup(const Scene& scene, const Stage& stage, const State& start, double tightened,
+StageSetup::StageSetup(const Scene& scene, const Stage& stage, const State& start, const RestLengths& rest,
                        const Sizes& relaxed, const std::vector<double>& travels)
     : scene_(scene),
       stage_(stage),
       start_(start),
       relaxed_(relaxed),
-      tightening_(stage.tighten ? Schedule::ramp(tightened, *stage.tighten, stage.duration) : Schedule(tightened)),
+      rest_(rest_schedules(stage, rest, scene.fabric.materials.size())),
       effects_(stage.effects) {
   if (scene.fabric.cell) {
     guide_periods();
@@ -68,7 +75,8 @@ void StageSetup::guide_periods() {
 
 void StageSetup::hold_ends() {
   const Points& q = start_.q;
-  const double from = tightening_(0), to = tightening_(stage_.duration), share = mean_shrinkage(scene_.fabric);
+  const double from = rest_.tightening(0), to = rest_.tightening(stage_.duration),
+               share = mean_shrinkage(scene_.fabric);
   const double shrink = (1 + to * (share - 1)) / (1 + from * (share - 1));
   const Vec3 centre = (q.rowwise().minCoeff() + q.rowwise().maxCoeff()) / 2;
   for (std::size_t end = 0; end < 2; ++end) {
@@ -122,8 +130,8 @@ void StageSetup::pull_ends() {
 }
 
 std::unique_ptr<World> StageSetup::world() const {
-  auto world = std::make_unique<World>(scene_.fabric, effects_, tightening_, start_, scene_.clamps,
-                                       !std::holds_alternative<RungeKutta>(stage_.solver));
+  auto world = std::make_unique<World>(scene_.fabric, effects_, rest_.tightening, start_, scene_.clamps,
+                                       !std::holds_alternative<RungeKutta>(stage_.solver), rest_.left);
   world->guide(guide_);
   return world;
 }
@@ -141,6 +149,7 @@ std::vector<Quantity> StageSetup::measure(World& world, const State& state) cons
     effect->add(state, load);
     total += force;
     if (!effect->dissipative()) row.push_back({"energy." + std::string(effect->name()), "J", energy});
+    if (effect->name().starts_with("obstacle")) measure_obstacle(*effect, Vec3::Zero() - force.rowwise().sum(), row);
     for (int end = 0; end < 2; ++end)
       if (effect->name() == grip_labels[end]) grip_load[end] = force.rowwise().sum().dot(along);
   }

@@ -12,10 +12,10 @@ namespace wale {
 /// A stage, standing at its start. Grips hold what lies in them there.
 class StageSetup {
  public:
-  /// `start` is the state at the stage's beginning, with t = 0; `tightened` is how far rest lengths have come before
-  /// it; `travels` are the distances, m, by which the grips of a mount stand further apart at each sample so far, from
-  /// 0.
-  StageSetup(const Scene&, const Stage&, const State& start, double tightened, const Sizes& relaxed,
+  /// `start` is the state at the stage's beginning, with t = 0; `rest` are the rest lengths with which it
+  /// begins; `travels` are the distances, m, by which the grips of a mount stand further apart at each sample so far,
+  /// from 0.
+  StageSetup(const Scene&, const Stage&, const State& start, const RestLengths& rest, const Sizes& relaxed,
              const std::vector<double>& travels = {0});
 
   /// A World to solve in; each call makes a new one, with the same answers.
@@ -42,7 +42,7 @@ class StageSetup {
   const Stage& stage_;
   const State& start_;
   Sizes relaxed_;
-  Schedule tightening_;
+  RestSchedules rest_;
   std::vector<EffectSpec> effects_;
   PeriodGuide guide_;
   double gauge_length_ = 0;  // m

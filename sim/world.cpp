@@ -16,11 +16,11 @@ bool is_meant(const Effect& effect, Acting which) {
 }  // namespace
 
 World::World(const Fabric& fabric, std::vector<EffectSpec> effects, Schedule tightening, State start,
-             const std::vector<Clamp>& clamps, bool lagged)
+             const std::vector<Clamp>& clamps, bool lagged, std::vector<Schedule> left)
     : fabric_(fabric),
       tightening_(std::move(tightening)),
       start_(std::move(start)),
-      parts_{.fabric = fabric_, .tightening = tightening_, .start = start_, .lagged = lagged},
+      parts_{.fabric = fabric_, .tightening = tightening_, .start = start_, .lagged = lagged, .left = std::move(left)},
       ties_(fabric),
       mass_(fabric),
       constraints_(fabric, clamps, start_.q) {

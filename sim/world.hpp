@@ -19,9 +19,9 @@ enum class Acting : std::uint8_t { all, elastic, dissipative };
 /// Not copyable: effects refer to its parts. `fabric` must outlive it.
 class World {
  public:
-  /// `tightening`, `lagged`: see Parts. `start` is where the stage begins: tethers hold what lies there.
+  /// `tightening`, `lagged`, `left`: see Parts. `start` is where the stage begins: tethers hold what lies there.
   World(const Fabric& fabric, std::vector<EffectSpec> effects, Schedule tightening, State start,
-        const std::vector<Clamp>& clamps = {}, bool lagged = false);
+        const std::vector<Clamp>& clamps = {}, bool lagged = false, std::vector<Schedule> left = {});
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 

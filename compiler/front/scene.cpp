@@ -50,10 +50,10 @@ std::optional<ParsedScene> read_scene(const Source& source, Diagnostics& say) {
   if (const YamlNode* gauge = fields.find("gauge")) read_gauge(*gauge, scene, say);
   Stage common;
   if (const YamlNode* effects = fields.find("effects"))
-    read_effects(*effects, scene.overrides.periodic, common.effects, say);
+    read_effects(*effects, scene.overrides.periodic, common.effects, scene.mentions, say);
   if (const YamlNode* solver = fields.find("solver"))
     common.solver = read_solver(*solver, scene.overrides.periodic, say);
-  scene.stages = read_stages(*root, common, scene.overrides.periodic, say);
+  scene.stages = read_stages(*root, common, scene.overrides.periodic, scene.mentions, say);
   if (say.error_count() > errors_before) return std::nullopt;
   return scene;
 }

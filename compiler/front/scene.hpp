@@ -21,6 +21,16 @@ struct PatternKey {
   Span span;              ///< of its value
 };
 
+/// What effects and stages ask of a pattern, in the order read; it can be checked when that is known.
+struct Mentions {
+  struct Yarn {
+    std::string name;  ///< of a chart's yarn, or of a carrier
+    Span span;
+  };
+  std::vector<Yarn> yarns;  ///< until the pattern is known, the `materials` of an effect or a stage are places in it
+  std::vector<Span> tubes;  ///< effects that need a tube
+};
+
 /// A Scene less its fabric.
 struct ParsedScene {
   std::string name;
@@ -32,6 +42,7 @@ struct ParsedScene {
   int segments_per_stitch = 12;
   double thickness = 0;  ///< 2r of sigma = F / (2r S_R), m; 0: twice the contact diameter
   std::vector<Stage> stages;
+  Mentions mentions;
 };
 
 /// Nothing if an error was reported.

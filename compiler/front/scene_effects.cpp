@@ -2,39 +2,11 @@
 
 #include <algorithm>
 
-#include "compiler/fields.hpp"
 #include "compiler/front/scene_parts.hpp"
+#include "compiler/front/scene_settings.hpp"
 
 namespace wale {
 namespace {
-
-/// Reads the settings of one effect or solver; `key:` with nothing behind it keeps every default.
-class Settings {
- public:
-  Settings(const YamlNode& node, std::string_view what, std::vector<std::string_view> known, Diagnostics& say)
-      : node_(node), say_(say) {
-    if (node.kind != YamlNode::Kind::null) Fields(node, what, std::move(known), say);
-  }
-
-  void count(std::string_view key, int least, int most, int& value) const {
-    if (const YamlNode* given = node_.find(key))
-      value = read_count(*given, quoted(key), least, most, say_).value_or(value);
-  }
-  void quantity(std::string_view key, const Dimension& dimension, Range range, double& value) const {
-    const YamlNode* given = node_.find(key);
-    if (given) value = read_quantity(*given, quoted(key), dimension, range, say_).value_or(value);
-  }
-  void flag(std::string_view key, bool& value) const {
-    if (const YamlNode* given = node_.find(key)) value = read_bool(*given, quoted(key), say_).value_or(value);
-  }
-  const YamlNode* find(std::string_view key) const { return node_.find(key); }
-
- private:
-  static std::string quoted(std::string_view key) { return fmt::format("\"{}\"", key); }
-
-  const YamlNode& node_;
-  Diagnostics& say_;
-};
 
 constexpr Range samplings{1e-4, 0.5}, screenings{0.5, 20}, tolerances{1e-14, 0.1}, residuals{1e-14, 1e3},
     shares{1e-12, 1};
@@ -57,10 +29,11 @@ Bend read_bend(const YamlNode& node, Diagnostics& say) {
 }
 
 /// One number points down, along -y; three are a vector.
-Gravity read_gravity(const YamlNode& node, Diagnostics& say) {
+Gravity read_gravity(const YamlNode& node, Mentions& mentions, Diagnostics& say) {
   constexpr Range down{0, 1000}, any{-1000, 1000};
   Gravity spec;
-  const Settings settings(node, "gravity", {"acceleration"}, say);
+  const Settings settings(node, "gravity", {"acceleration", "on"}, say);
+  settings.yarns("on", mentions, spec.materials);
   const YamlNode* given = settings.find("acceleration");
   if (!given || given->kind != YamlNode::Kind::list) {
     double g = -spec.acceleration.y();
@@ -68,22 +41,16 @@ Gravity read_gravity(const YamlNode& node, Diagnostics& say) {
     spec.acceleration = {0, -g, 0};
     return spec;
   }
-  if (given->items.size() != 3) {
-    say.error("Y004", given->span,
-              fmt::format("an acceleration has 3 components, but this has {}", given->items.size()),
-              "write `[0 m/s^2, -9.81 m/s^2, 0 m/s^2]`, or one number for straight down");
-    return spec;
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const YamlNode& item = given->items[static_cast<std::size_t>(axis)];
-    spec.acceleration[axis] = read_quantity(item, "an acceleration", dimensions::acceleration, any, say).value_or(0);
-  }
+  settings.vector("acceleration", "an acceleration", dimensions::acceleration, any,
+                  "write `[0 m/s^2, -9.81 m/s^2, 0 m/s^2]`, or one number for straight down", spec.acceleration);
   return spec;
 }
 
-Drag read_drag(const YamlNode& node, Diagnostics& say) {
+Drag read_drag(const YamlNode& node, Mentions& mentions, Diagnostics& say) {
   Drag spec;
-  Settings(node, "drag", {"coefficient"}, say).quantity("coefficient", dimensions::drag, {0, 1e6}, spec.coefficient);
+  const Settings settings(node, "drag", {"coefficient", "on"}, say);
+  settings.quantity("coefficient", dimensions::drag, {0, 1e6}, spec.coefficient);
+  settings.yarns("on", mentions, spec.materials);
   return spec;
 }
 
@@ -125,6 +92,32 @@ Plates read_plates(const YamlNode& node, Diagnostics& say) {
   return spec;
 }
 
+/// How it changes is told in shares of the stage.
+Pressure read_pressure(const YamlNode& node, Mentions& mentions, Diagnostics& say) {
+  constexpr Range pressures{-1e9, 1e9};
+  Pressure spec;
+  mentions.tubes.push_back(node.span);
+  const Settings settings(node, "pressure", {"from", "to", "spacing"}, say);
+  settings.require("to", "add the pressure at the end of the stage, as in `to: 2 kPa`");
+  settings.quantity("from", dimensions::stress, pressures, spec.from);
+  settings.quantity("to", dimensions::stress, pressures, spec.to);
+  settings.quantity("spacing", dimensions::length, {1e-6, 1}, spec.spacing);
+  spec.progress = Schedule::ramp(0, 1, 1);
+  return spec;
+}
+
+Twist read_twist(const YamlNode& node, Mentions& mentions, Diagnostics& say) {
+  constexpr Range torques{-1, 1};
+  Twist spec;
+  const Settings settings(node, "twist", {"from", "to", "on"}, say);
+  settings.require("to", "add the torque at the end of the stage, as in `to: 1e-6 N m`");
+  settings.quantity("from", dimensions::torque, torques, spec.from);
+  settings.quantity("to", dimensions::torque, torques, spec.to);
+  settings.yarns("on", mentions, spec.materials);
+  spec.progress = Schedule::ramp(0, 1, 1);
+  return spec;
+}
+
 /// Which ends are tied is found when the fabric is compiled.
 Knots read_knots(const YamlNode& node, Diagnostics& say) {
   Knots spec;
@@ -134,7 +127,8 @@ Knots read_knots(const YamlNode& node, Diagnostics& say) {
 
 QuasiStatic read_quasi_static(const YamlNode& node, Diagnostics& say) {
   QuasiStatic spec;
-  const Settings settings(node, "quasi_static", {"tolerance", "of_load", "iterations", "first_step", "smallest_step"}, say);
+  const Settings settings(node, "quasi_static", {"tolerance", "of_load", "iterations", "first_step", "smallest_step"},
+                          say);
   settings.quantity("tolerance", dimensions::ratio, residuals, spec.tolerance);
   settings.quantity("of_load", dimensions::ratio, residuals, spec.of_load);
   settings.count("iterations", 1, 1'000'000, spec.iterations);
@@ -190,12 +184,16 @@ constexpr SolverReader solver_readers[] = {
 
 struct EffectReader {
   std::string_view key;
-  EffectSpec (*read)(const YamlNode&, Diagnostics&);
+  /// At least one.
+  std::vector<EffectSpec> (*read)(const YamlNode&, Mentions&, Diagnostics&);
 };
 
 template <auto read>
-EffectSpec as_effect(const YamlNode& node, Diagnostics& say) {
-  return read(node, say);
+std::vector<EffectSpec> as_effect(const YamlNode& node, Mentions& mentions, Diagnostics& say) {
+  if constexpr (std::is_invocable_v<decltype(read), const YamlNode&, Diagnostics&>)
+    return {read(node, say)};
+  else
+    return {read(node, mentions, say)};
 }
 
 constexpr EffectReader effect_readers[] = {
@@ -203,7 +201,8 @@ constexpr EffectReader effect_readers[] = {
     {"gravity", as_effect<read_gravity>},   {"drag", as_effect<read_drag>},
     {"contact", as_effect<read_contact>},   {"contact_damping", as_effect<read_contact_damping>},
     {"friction", as_effect<read_friction>}, {"plates", as_effect<read_plates>},
-    {"knots", as_effect<read_knots>},
+    {"obstacle", read_obstacles},           {"pressure", as_effect<read_pressure>},
+    {"twist", as_effect<read_twist>},       {"knots", as_effect<read_knots>},
 };
 
 /// What has no meaning in a fabric without ends, and why.
@@ -213,6 +212,8 @@ struct ForSwatches {
 constexpr ForSwatches effects_for_swatches[] = {
     {"gravity", "leave it out: nothing carries the weight of an endless fabric"},
     {"knots", "leave it out: the yarns of a periodic fabric have no ends"},
+    {"obstacle", "leave it out: nothing holds an endless fabric against it"},
+    {"pressure", "leave it out: an endless fabric encloses nothing"},
 };
 
 void refuse_in_periodic(const Fields& fields, Diagnostics& say) {
@@ -224,7 +225,8 @@ void refuse_in_periodic(const Fields& fields, Diagnostics& say) {
 
 }  // namespace
 
-void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& effects, Diagnostics& say) {
+void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& effects, Mentions& mentions,
+                  Diagnostics& say) {
   std::vector<std::string_view> keys;
   for (const EffectReader& reader : effect_readers) keys.push_back(reader.key);
   const Fields fields(node, "the effects", keys, say);
@@ -232,14 +234,11 @@ void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& 
   for (const EffectReader& reader : effect_readers) {
     const YamlNode* given = fields.find(reader.key);
     if (!given) continue;
-    const EffectSpec spec = reader.read(*given, say);
-    const auto same = std::find_if(effects.begin(), effects.end(),
-                                   [&](const EffectSpec& one) { return one.index() == spec.index(); });
-    if (same != effects.end()) {
-      *same = spec;
-    } else {
-      effects.push_back(spec);
-    }
+    const std::vector<EffectSpec> specs = reader.read(*given, mentions, say);
+    const auto is_same = [&](const EffectSpec& one) { return one.index() == specs.front().index(); };
+    const auto place = std::find_if(effects.begin(), effects.end(), is_same) - effects.begin();
+    effects.erase(std::remove_if(effects.begin(), effects.end(), is_same), effects.end());
+    effects.insert(effects.begin() + place, specs.begin(), specs.end());
   }
 }
 

@@ -14,7 +14,11 @@ namespace wale {
 void read_fabric(const YamlNode&, ParsedScene&, Diagnostics&);
 /// Adds what `node` names to `effects`; one that is there already is replaced. Of a periodic fabric those are refused
 /// that act on ends or need something to hold it.
-void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& effects, Diagnostics&);
+void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& effects, Mentions&, Diagnostics&);
+/// `obstacle`: one body, or a list of them; at least one.
+std::vector<EffectSpec> read_obstacles(const YamlNode&, Mentions&, Diagnostics&);
+/// `shrink`: which yarn by how much, or a list of that.
+std::vector<Shrink> read_shrink(const YamlNode&, Mentions&, Diagnostics&);
 /// `quasi_static`, `runge_kutta` or `implicit`, alone or as a map with settings. Of a periodic fabric only the first.
 SolverSpec read_solver(const YamlNode&, bool periodic, Diagnostics&);
 /// `pull`: a direction and a strain, or several. Nothing if it is no map.
@@ -22,6 +26,6 @@ std::optional<Pull> read_pull(const YamlNode&, bool periodic, Diagnostics&);
 /// `deform`: what becomes of both periods and their shear.
 Deform read_deform(const YamlNode&, Diagnostics&);
 /// `common` holds the effects and the solver of every stage.
-std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, Diagnostics&);
+std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, Mentions&, Diagnostics&);
 
 }  // namespace wale

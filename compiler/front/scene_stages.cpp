@@ -2,6 +2,7 @@
 
 #include "compiler/fields.hpp"
 #include "compiler/front/scene_parts.hpp"
+#include "compiler/front/scene_settings.hpp"
 
 namespace wale {
 namespace {
@@ -13,14 +14,15 @@ constexpr int most_samples = 100'000;
 
 class StageReader {
  public:
-  StageReader(const YamlNode& node, Stage common, bool periodic, Diagnostics& say)
+  StageReader(const YamlNode& node, Stage common, bool periodic, Mentions& mentions, Diagnostics& say)
       : node_(node),
         fields_(node, "a stage",
-                {"name", "duration", "samples", "tighten", "hold", "mount", "pull", "deform", "grip_stiffness",
-                 "effects", "solver"},
+                {"name", "duration", "samples", "tighten", "shrink", "hold", "mount", "pull", "deform",
+                 "grip_stiffness", "effects", "solver"},
                 say),
         stage_(std::move(common)),
         periodic_(periodic),
+        mentions_(mentions),
         say_(say) {}
 
   Stage read() {
@@ -36,6 +38,7 @@ class StageReader {
     if (const YamlNode* tighten = fields_.find("tighten")) {
       stage_.tighten = read_quantity(*tighten, "\"tighten\"", dimensions::ratio, {0, 1}, say_);
     }
+    if (const YamlNode* shrink = fields_.find("shrink")) stage_.shrink = read_shrink(*shrink, mentions_, say_);
     if (const YamlNode* hold = fields_.find("hold")) {
       const auto word = read_word(*hold, "\"hold\"", {"none", "ends", "periods"}, say_);
       stage_.hold = static_cast<Hold>(word.value_or(0));
@@ -50,7 +53,9 @@ class StageReader {
       const auto value = read_quantity(*grip, "the grip stiffness", dimensions::foundation, {1e-6, 1e12}, say_);
       stage_.grip_stiffness = value.value_or(stage_.grip_stiffness);
     }
-    if (const YamlNode* effects = fields_.find("effects")) read_effects(*effects, periodic_, stage_.effects, say_);
+    if (const YamlNode* effects = fields_.find("effects"))
+      read_effects(*effects, periodic_, stage_.effects, mentions_, say_);
+    for (EffectSpec& effect : stage_.effects) last(stage_.duration, effect);
     if (const YamlNode* solver = fields_.find("solver")) stage_.solver = read_solver(*solver, periodic_, say_);
     check_sense();
     check_suits_fabric();
@@ -58,6 +63,15 @@ class StageReader {
   }
 
  private:
+  /// Effects are read with the stage as their unit of time.
+  static void last(double duration, EffectSpec& effect) {
+    std::visit(
+        [&](auto& spec) {
+          if constexpr (requires { spec.progress; }) spec.progress = spec.progress.over(duration);
+        },
+        effect);
+  }
+
   void check_sense() {
     if (stage_.effects.empty() && !fields_.find("effects")) {
       say_.error("S005", {node_.span.source, node_.span.begin, node_.span.begin},
@@ -110,12 +124,29 @@ class StageReader {
   Fields fields_;
   Stage stage_;
   bool periodic_;
+  Mentions& mentions_;
   Diagnostics& say_;
 };
 
 }  // namespace
 
-std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, Diagnostics& say) {
+std::vector<Shrink> read_shrink(const YamlNode& node, Mentions& mentions, Diagnostics& say) {
+  const auto read = [&](const YamlNode& item) {
+    Shrink spec;
+    const Settings settings(item, "\"shrink\"", {"yarn", "by"}, say);
+    settings.require("by", "add how much shorter it wants to be at the end of the stage, as in `by: 20 %`");
+    settings.yarns("yarn", mentions, spec.materials);
+    settings.quantity("by", dimensions::ratio, {-1, 0.9}, spec.by);
+    return spec;
+  };
+  if (node.kind != YamlNode::Kind::list) return {read(node)};
+  std::vector<Shrink> all;
+  for (const YamlNode& item : node.items) all.push_back(read(item));
+  return all;
+}
+
+std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, Mentions& mentions,
+                               Diagnostics& say) {
   const YamlNode* node = root.find("stages");
   const Span start{root.span.source, root.span.begin, root.span.begin};
   if (!node || node->kind != YamlNode::Kind::list || node->items.empty()) {
@@ -124,7 +155,7 @@ std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool p
     return {};
   }
   std::vector<Stage> stages;
-  for (const YamlNode& item : node->items) stages.push_back(StageReader(item, common, periodic, say).read());
+  for (const YamlNode& item : node->items) stages.push_back(StageReader(item, common, periodic, mentions, say).read());
   return stages;
 }
 

@@ -24,10 +24,11 @@ inline Vector<double> to_vector(const Vec3& a) { return {a.x(), a.y(), a.z()}; }
 inline Vec3 to_vec3(const Vector<double>& a) { return {a.x, a.y, a.z}; }
 
 /// What an effect along the yarn is: `Slopes` is the law's energy and its slopes, one of those that the force kernels
-/// know; see kernels.hpp. `convex` asks for a positive semidefinite curvature.
+/// know; see kernels.hpp. `slopes` gives them for one time, `now` for the curvature. `convex` asks for a positive
+/// semidefinite one.
 template <class L>
-concept Law = requires(const L& law, double t, const Material& yarn, const Site<double>& at, Curvature& curvature,
-                       bool convex) {
+concept Law = requires(const L& law, const typename L::Slopes& now, double t, const Material& yarn,
+                       const Site<double>& at, Curvature& curvature, bool convex) {
   { L::Slopes::elastic } -> std::convertible_to<bool>;  // true: depends on position; false: on velocity
   {
     L::Slopes::derivative
@@ -36,7 +37,7 @@ concept Law = requires(const L& law, double t, const Material& yarn, const Site<
   { law.name() } -> std::convertible_to<std::string_view>;
   { law.slopes(t) } -> std::convertible_to<typename L::Slopes>;
   { law.constant(yarn) } -> std::convertible_to<double>;  // Site::constant
-  { law.curvature(at, curvature, convex) } -> std::same_as<void>;
+  { law.curvature(now, at, curvature, convex) } -> std::same_as<void>;
 };
 
 /// Sets Site::reference of a law that keeps something of each site.
@@ -114,24 +115,23 @@ class AlongYarn final : public Effect {
 
   void add_slopes(const State& at, double* scalar, Points* force) const {
     const Slopes slopes = law_.slopes(at.t);
-    const double tightness = parts_.tightening(at.t);
+    const RestLengths rest = parts_.rest_lengths(at.t);
     const AlongKernel<Slopes> kernel = kernels().along<Slopes>();
     std::vector<double> scalars(blocks_.all().size());
 #pragma omp parallel if (!is_little())
     for (const auto& [first, last] : blocks_.colours()) {
 #pragma omp for schedule(static)
       for (std::size_t i = first; i < last; ++i)
-        scalars[i] = add_block(slopes, kernel, blocks_.all()[i], at, tightness, force);
+        scalars[i] = add_block(slopes, kernel, blocks_.all()[i], at, rest, force);
     }
     if (scalar)
       for (const double of : scalars) *scalar += of;
   }
 
   double add_block(const Slopes& slopes, AlongKernel<Slopes> kernel, const SegmentBlock& of, const State& at,
-                   double tightness, Points* force) const {
+                   const RestLengths& rest, Points* force) const {
     double l[block_length + block_padding];
-    for (std::size_t i = 0; i < of.count; ++i)
-      l[i] = Parts::rest_length(parts_.fabric.segment(blocks_.segments()[of.begin + i]), tightness);
+    for (std::size_t i = 0; i < of.count; ++i) l[i] = rest.of(parts_.fabric.segment(blocks_.segments()[of.begin + i]));
     std::fill_n(l + of.count, block_padding, 1.0);
     const long first = 3 * static_cast<long>(first_point(of.begin));
     const Rule& rule = rule_of(of);
@@ -177,13 +177,14 @@ class AlongYarn final : public Effect {
   void add_second(const State& at, Stiffness* out, bool convex) const {
     if (!out) return;
     const std::vector<int>& places = places_in(*out);
+    const Slopes now = law_.slopes(at.t);
     // Where two threads meet, both ask the law about the segments that reach across.
     share_points(static_cast<int>(at.q.cols()), is_little(), [&](int from, int to) {
       for (const SegmentBlock& block : blocks_.all())
         for (std::size_t i = block.begin; i < block.end(); ++i)
           if (first_point(i) + 4 > from && first_point(i) < to)
-            add_second(at, i, rule_of(block), {std::max(from - first_point(i), 0), std::min(to - first_point(i), 4)},
-                       convex, places, *out);
+            add_second(now, at, i, rule_of(block),
+                       {std::max(from - first_point(i), 0), std::min(to - first_point(i), 4)}, convex, places, *out);
     });
   }
 
@@ -192,7 +193,7 @@ class AlongYarn final : public Effect {
     int from = 0, to = 0;
   };
 
-  void add_second(const State& at, std::size_t i, const Rule& rule, Range mine, bool convex,
+  void add_second(const Slopes& now, const State& at, std::size_t i, const Rule& rule, Range mine, bool convex,
                   const std::vector<int>& places, Stiffness& out) const {
     // Blocks (j, k) with j <= k of the segment, row by row: so many lie before each row.
     constexpr std::array<std::size_t, 4> before{0, 4, 7, 9};
@@ -200,7 +201,7 @@ class AlongYarn final : public Effect {
       const NodeWeights& b = rule.nodes[node];
       const double w = b.weight;
       Curvature c;
-      law_.curvature(site(at, i, node, rule), c, convex);
+      law_.curvature(now, site(at, i, node, rule), c, convex);
       for (auto j = static_cast<std::size_t>(mine.from); j < static_cast<std::size_t>(mine.to); ++j) {
         std::size_t place = i * 10 + before[j];
         const Mat3 by_y = w * b.value[j] * (Slopes::elastic ? c.y_y : c.v_v);
@@ -227,6 +228,16 @@ inline std::vector<int> all_segments(const Fabric& fabric) {
   std::vector<int> all(fabric.segments.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
+}
+
+/// Those of some materials; of all if none is named.
+inline std::vector<int> segments_of(const Fabric& fabric, const std::vector<int>& materials) {
+  std::vector<int> some = all_segments(fabric);
+  const auto is_other = [&](int i) {
+    return std::find(materials.begin(), materials.end(), fabric.segment(i).material) == materials.end();
+  };
+  if (!materials.empty()) some.erase(std::remove_if(some.begin(), some.end(), is_other), some.end());
+  return some;
 }
 
 }  // namespace wale

@@ -65,7 +65,7 @@ struct BendEffect {
   BendLaw slopes(double) const { return {}; }
   double constant(const Material& yarn) const { return yarn.bending_rigidity; }
 
-  void curvature(const Site<double>& at, Curvature& out, bool convex) const {
+  void curvature(const Slopes&, const Site<double>& at, Curvature& out, bool convex) const {
     const double scale = at.constant * at.l;
     const Vec3 a = to_vec3(at.dy), b = to_vec3(at.ddy);
     if (convex)
@@ -88,7 +88,7 @@ struct SetBendEffect {
     return {std::sqrt(std::max(u.value, 0.0)), 0, 0};
   }
 
-  void curvature(const Site<double>& at, Curvature& out, bool convex) const {
+  void curvature(const Slopes&, const Site<double>& at, Curvature& out, bool convex) const {
     const double scale = at.constant * at.l;
     const Vec3 a = to_vec3(at.dy), b = to_vec3(at.ddy);
     const SquaredCurvature u(a, b);

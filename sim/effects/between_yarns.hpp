@@ -116,11 +116,11 @@ class BetweenYarns final : public Effect {
 
   /// How far apart beads are on their yarn, by segment, m.
   std::vector<double> spacings(double t) const {
-    const double tightness = parts_.tightening(t);
+    const RestLengths rest = parts_.rest_lengths(t);
     std::vector<double> spacing;
     spacing.reserve(parts_.fabric.segments.size());
     for (int i = 0; i < parts_.fabric.segment_count(); ++i)
-      spacing.push_back(Parts::rest_length(parts_.fabric.segment(i), tightness) / beads_->count(i));
+      spacing.push_back(rest.of(parts_.fabric.segment(i)) / beads_->count(i));
     return spacing;
   }
 

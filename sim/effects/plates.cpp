@@ -9,7 +9,7 @@ struct PlatesEffect {
   std::string_view name() const { return "plates"; }
   PlatesLaw slopes(double) const { return {stiffness, gap}; }
   double constant(const Material&) const { return 0; }
-  void curvature(const Site<double>& at, Curvature& out, bool) const {
+  void curvature(const Slopes&, const Site<double>& at, Curvature& out, bool) const {
     if (std::abs(at.y.z) > gap / 2) out.y_y(2, 2) = 2 * stiffness * at.l0;
   }
 };

@@ -9,7 +9,7 @@ struct StretchEffect {
   StretchLaw slopes(double) const { return {}; }
   double constant(const Material& yarn) const { return yarn.axial_stiffness; }
 
-  void curvature(const Site<double>& at, Curvature& out, bool convex) const {
+  void curvature(const Slopes&, const Site<double>& at, Curvature& out, bool convex) const {
     const double EA = at.constant;
     const Vec3 slope = to_vec3(at.dy);
     const double length = slope.norm();

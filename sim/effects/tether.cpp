@@ -20,7 +20,7 @@ struct TetherEffect {
     const Vec3 scale = Vec3::Ones() + p * (spec.scale - Vec3::Ones()), place = spec.centre + p * spec.move;
     return {spec.stiffness, to_vector(weight()), to_vector(scale), to_vector(place)};
   }
-  void curvature(const Site<double>& at, Curvature& out, bool) const {
+  void curvature(const Slopes&, const Site<double>& at, Curvature& out, bool) const {
     out.y_y = (2 * spec.stiffness * at.l0 * weight()).asDiagonal();
   }
 };

@@ -4,6 +4,7 @@
 #include "sim/effects/bend_law.hpp"
 #include "sim/effects/drag_law.hpp"
 #include "sim/effects/gravity_law.hpp"
+#include "sim/effects/obstacle_law.hpp"
 #include "sim/effects/plates_law.hpp"
 #include "sim/effects/stretch_law.hpp"
 #include "sim/effects/tether_law.hpp"
@@ -25,7 +26,8 @@ struct Kernels : AlongEntry<StretchLaw>,
                  AlongEntry<GravityLaw>,
                  AlongEntry<DragLaw>,
                  AlongEntry<PlatesLaw>,
-                 AlongEntry<TetherLaw> {
+                 AlongEntry<TetherLaw>,
+                 AlongEntry<ObstacleLaw> {
   BeadKernels beads;
 
   template <class L>

@@ -16,6 +16,7 @@ inline constexpr Kernels kernels_of{{&AlongYarnKernel<Wide, StretchLaw>::add},
                                     {&AlongYarnKernel<Wide, DragLaw>::add},
                                     {&AlongYarnKernel<Wide, PlatesLaw>::add},
                                     {&AlongYarnKernel<Wide, TetherLaw>::add},
+                                    {&AlongYarnKernel<Wide, ObstacleLaw>::add},
                                     {&BeadKernelsOf<Four>::locate, &BeadKernelsOf<Four>::measure,
                                      &BeadKernelsOf<Four>::push, &BeadKernelsOf<Four>::spread}};
 

@@ -189,7 +189,7 @@ std::string fabric_svg(const Fabric& fabric, const Points& q, const PictureOptio
   Scale scale;
   std::vector<int> colours;
   if (by_stretch) {
-    const std::vector<double> strains = stretch_strains(fabric, q, options.tightening);
+    const std::vector<double> strains = stretch_strains(fabric, q, options.rest);
     scale = scale_for(strains, options);
     for (const double strain : strains) colours.push_back(scale.shade(strain));
   } else {

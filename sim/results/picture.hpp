@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/rest_length.hpp"
 #include "sim/results/curves.hpp"
 
 namespace wale {
@@ -15,7 +16,7 @@ enum class ColourBy : std::uint8_t { material, stretch };
 struct PictureOptions {
   std::string title{};
   ColourBy colour_by = ColourBy::material;
-  double tightening = 1;  ///< where rest lengths are between `length` (0) and `knitted` (1), for the strain
+  RestLengths rest{1};                             ///< for the strain
   std::optional<std::array<double, 2>> strains{};  ///< ends of the colour scale; else those of this state
   double size = 900;                               ///< the fabric's greater side, px
 };

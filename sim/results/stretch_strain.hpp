@@ -3,16 +3,16 @@
 
 #include <vector>
 
+#include "sim/rest_length.hpp"
 #include "sim/results/results.hpp"
 
 namespace wale {
 
 /// |y'|/l - 1 in the middle of every segment, where the stretch energy with one node sees it (its other values on a
-/// segment alternate about this one). `tightening` says where rest lengths are between Segment::length (0) and
-/// Segment::knitted (1).
-std::vector<double> stretch_strains(const Fabric&, const Points& q, double tightening);
+/// segment alternate about this one).
+std::vector<double> stretch_strains(const Fabric&, const Points& q, const RestLengths&);
 
-/// Where rest lengths are in a snapshot, by the stages of its scene; 1 for a scene whose stages are not known.
-double tightening_at(const Scene&, const Snapshot&);
+/// The rest lengths in a snapshot, by the stages of its scene; those as knitted for a scene whose stages are not known.
+RestLengths rest_lengths_at(const Scene&, const Snapshot&);
 
 }  // namespace wale

@@ -156,7 +156,7 @@ std::string frame_name(std::size_t index) { return fmt::format("frames/frame_{:0
 
 std::string vtp(const Fabric& fabric, const Points& q, const VtkOptions& options) {
   if (options.per_segment < 1 || options.sides < 3) throw std::invalid_argument("vtp: too few points or sides");
-  const std::vector<double> strains = stretch_strains(fabric, q, options.tightening);
+  const std::vector<double> strains = stretch_strains(fabric, q, options.rest);
   Surface surface(options);
   for (std::size_t i = 0; i < fabric.yarns.size(); ++i) {
     const std::vector<Station> yarn = stations(fabric, q, strains, fabric.yarns[i], options.per_segment);
@@ -187,7 +187,7 @@ void write_frames(const Results& results, const std::string& folder, const VtkOp
     time = stage_start + snapshot.state.t;
     if (i > 0 && snapshot.sample == 0) continue;
     VtkOptions of_snapshot = options;
-    of_snapshot.tightening = tightening_at(results.scene, snapshot);
+    of_snapshot.rest = rest_lengths_at(results.scene, snapshot);
     const Fabric shown = shown_fabric(results.scene.fabric, results.scene.gauge, snapshot.state.q);
     write_vtp(shown, shown.points, (root / frame_name(frames)).string(), of_snapshot);
     list += fmt::format("<DataSet timestep=\"{:.9g}\" part=\"0\" file=\"{}\"/>\n", time, frame_name(frames));

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "sim/rest_length.hpp"
 #include "sim/results/results.hpp"
 
 namespace wale {
@@ -17,9 +18,9 @@ enum class YarnShape : std::uint8_t {
 
 struct VtkOptions {
   YarnShape shape = YarnShape::tubes;
-  int per_segment = 3;    ///< rings or points a segment, from 1
-  int sides = 8;          ///< of a tube, from 3
-  double tightening = 0;  ///< where rest lengths are between `length` (0) and `knitted` (1)
+  int per_segment = 3;  ///< rings or points a segment, from 1
+  int sides = 8;        ///< of a tube, from 3
+  RestLengths rest{0};  ///< for the strain
 };
 
 /// A PolyData file. Point data: `stretch_energy` (per rest length, J/m; the active array), `strain`, `curvature`
@@ -31,7 +32,7 @@ void write_vtp(const Fabric&, const Points& q, const std::string& path, const Vt
 
 /// `folder`/frames.pvd, and a file in `folder`/frames for every snapshot but those at the start of a later stage,
 /// which are the end of the one before; see shown_fabric(). Time runs on from stage to stage, s. The rest lengths are
-/// those of each snapshot; `options.tightening` is not used. Throws std::system_error with the path.
+/// those of each snapshot; `options.rest` is not used. Throws std::system_error with the path.
 void write_frames(const Results&, const std::string& folder, const VtkOptions& options = {});
 
 }  // namespace wale

@@ -10,6 +10,7 @@ void add_compile(CLI::App&, int& exit_code);
 void add_run(CLI::App&, int& exit_code);
 void add_curve(CLI::App&, int& exit_code);
 void add_patterns(CLI::App&, int& exit_code);
+void add_accuracy(CLI::App&, int& exit_code);
 void add_explain(CLI::App&, int& exit_code);
 
 }  // namespace wale

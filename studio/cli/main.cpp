@@ -11,7 +11,7 @@
 namespace {
 
 int unknown_command(const char* name) {
-  const std::string hint = wale::suggest(name, {"check", "compile", "run", "curve", "patterns", "explain"});
+  const std::string hint = wale::suggest(name, {"check", "compile", "run", "curve", "patterns", "accuracy", "explain"});
   return wale::complain("wale", fmt::format("there is no command \"{}\"", name), hint);
 }
 
@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   wale::add_run(app, exit_code);
   wale::add_curve(app, exit_code);
   wale::add_patterns(app, exit_code);
+  wale::add_accuracy(app, exit_code);
   wale::add_explain(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -3,6 +3,7 @@
 #include "sim/results/csv.hpp"
 #include "sim/results/file.hpp"
 #include "sim/results/hdf5.hpp"
+#include "sim/results/moments.hpp"
 #include "sim/results/picture.hpp"
 #include "sim/results/shown_fabric.hpp"
 #include "sim/results/stretch_strain.hpp"
@@ -17,27 +18,9 @@ namespace fs = std::filesystem;
 void write_fabric(const Results& results, const Snapshot& snapshot, ColourBy colour, const std::string& title,
                   const fs::path& path) {
   const Scene& scene = results.scene;
-  const PictureOptions options{title, colour, tightening_at(scene, snapshot), {}, 900};
+  const PictureOptions options{title, colour, rest_lengths_at(scene, snapshot), {}, 900};
   const Fabric shown = shown_fabric(scene.fabric, scene.gauge, snapshot.state.q);
   write_file(path.string(), fabric_svg(shown, shown.points, options));
-}
-
-/// The state that the first stage begins from that mounts, pulls or deforms; the last one if there is none such.
-const Snapshot* relaxed_state(const Results& results) {
-  const Snapshot* relaxed = nullptr;
-  for (const Snapshot& snapshot : results.snapshots) {
-    const Stage& stage = results.scene.stages[static_cast<std::size_t>(snapshot.stage)];
-    relaxed = &snapshot;
-    if (stage.mount || stage.pull || stage.deform) break;
-  }
-  return relaxed;
-}
-
-/// The most strained state of the last stage that pulls or deforms; null if there is none but its start.
-const Snapshot* pulled_state(const Results& results) {
-  const std::optional<std::size_t> row = most_strained_row(results.samples);
-  if (!row || *row >= results.snapshots.size() || results.snapshots[*row].sample == 0) return nullptr;
-  return &results.snapshots[*row];
 }
 
 }  // namespace

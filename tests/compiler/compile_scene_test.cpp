@@ -143,6 +143,22 @@ TEST(CompileScene, GivesSomeYarnsOfAChartTheirOwnMaterials) {
   EXPECT_EQ(scene->fabric.materials.at(2).name, "paper-as-printed");
 }
 
+TEST(CompileScene, KnowsWhichMaterialsTheNamesOfYarnsMean) {
+  Sources sources;
+  Diagnostics say;
+  sources.add("stripes.yaml",
+              "knit: 1\nwales: 4\nyarns: {a: , b: , c: }\nbands:\n"
+              "  - {stitch: jersey, courses: 6, stitch_length: 2 cm, yarn: [a, b, c]}\n");
+  const auto scene = compile_scene(*sources.add("scene.yaml",
+                                                "scene: 1\nfabric: {pattern: stripes.yaml}\n"
+                                                "effects: {stretch: , gravity: {on: [c, a]}}\n"
+                                                "stages: [{name: heat, duration: 1 s, shrink: {yarn: b, by: 20 %}}]\n"),
+                                   sources, say);
+  ASSERT_TRUE(scene) << print(say.all().front());
+  EXPECT_EQ(std::get<Gravity>(scene->stages[0].effects[1]).materials, (std::vector{2, 0}));
+  EXPECT_EQ(scene->stages[0].shrink[0].materials, std::vector{1});
+}
+
 TEST(CompileScene, MakesOneRepeatOfAPeriodicFabric) {
   Sources sources;
   Diagnostics say;

@@ -223,5 +223,59 @@ TEST(Scene, AnAbsolutePathOfAPatternStaysAsItIs) {
   EXPECT_EQ(scene->pattern_path, "/charts/a.yaml");
 }
 
+TEST(Scene, ReadsBodiesPressureTorqueAndShrinkingYarn) {
+  Sources sources;
+  const auto scene = parse(sources, R"(scene: 1
+fabric: {pattern: tube.yaml}
+effects: {stretch: , obstacle: {plane: {point: [0 mm, 1 mm, 0 mm], normal: [0, 3, 4]}}}
+stages:
+  - {name: rest, duration: 2 s}
+  - name: press
+    duration: 4 s
+    shrink: [{by: 10 %}, {yarn: [a, b], by: -5 %}]
+    effects:
+      obstacle:
+        - {sphere: {centre: [1 mm, 2 mm, -8 mm], radius: 5 mm}, move: [0 mm, 0 mm, 4 mm], stiffness: 1e5 N/m^2, on: c}
+        - cylinder: {centre: [0 mm, 0 mm, 9 mm], axis: [0, 2, 0], radius: 1 mm}
+      pressure: {from: 1 kPa, to: 3 kPa, spacing: 0.9 mm}
+      twist: {to: 2e-7 N m}
+)");
+  ASSERT_TRUE(scene);
+  const auto* table = find<Obstacle>(scene->stages[0].effects);
+  ASSERT_TRUE(table);
+  EXPECT_EQ(table->shape, Obstacle::Shape::plane);
+  EXPECT_LT((table->axis - Vec3(0, 0.6, 0.8)).norm(), 1e-15);
+  EXPECT_EQ(table->progress(2), 1);
+
+  const Stage& press = scene->stages[1];
+  ASSERT_EQ(press.effects.size(), 5u) << "the table is replaced by two bodies";
+  const auto& ball = std::get<Obstacle>(press.effects[1]);
+  const auto& rod = std::get<Obstacle>(press.effects[2]);
+  EXPECT_EQ(ball.label, "obstacle.1");
+  EXPECT_EQ(ball.shape, Obstacle::Shape::sphere);
+  EXPECT_LT((ball.centre - Vec3(1e-3, 2e-3, -8e-3)).norm(), 1e-15);
+  EXPECT_DOUBLE_EQ(ball.radius, 5e-3);
+  EXPECT_DOUBLE_EQ(ball.stiffness, 1e5);
+  EXPECT_DOUBLE_EQ(ball.move.z(), 4e-3);
+  EXPECT_EQ(ball.progress(1), 0.25);
+  EXPECT_EQ(rod.shape, Obstacle::Shape::cylinder);
+  EXPECT_EQ(rod.axis, Vec3::UnitY());
+  const auto* pressure = find<Pressure>(press.effects);
+  EXPECT_DOUBLE_EQ(pressure->from, 1e3);
+  EXPECT_DOUBLE_EQ(pressure->to, 3e3);
+  EXPECT_DOUBLE_EQ(pressure->spacing, 0.9e-3);
+  EXPECT_EQ(pressure->progress(2), 0.5);
+  EXPECT_DOUBLE_EQ(find<Twist>(press.effects)->to, 2e-7);
+
+  ASSERT_EQ(press.shrink.size(), 2u);
+  EXPECT_TRUE(press.shrink[0].materials.empty());
+  EXPECT_DOUBLE_EQ(press.shrink[0].by, 0.1);
+  EXPECT_DOUBLE_EQ(press.shrink[1].by, -0.05);
+  const auto name = [&](int place) { return scene->mentions.yarns.at(static_cast<std::size_t>(place)).name; };
+  ASSERT_EQ(press.shrink[1].materials.size(), 2u);
+  EXPECT_EQ(name(press.shrink[1].materials[1]), "b");
+  EXPECT_EQ(name(ball.materials.at(0)), "c");
+}
+
 }  // namespace
 }  // namespace wale

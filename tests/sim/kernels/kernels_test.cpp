@@ -103,8 +103,13 @@ TEST(ForceKernels, GiveTheSameWithEveryInstructionSetAlongYarnsOfAllLengths) {
                       .scale = {1.2, 0.9, 1},
                       .move = {3e-4, -1e-4, 2e-4},
                       .progress = 0.4};
-  for (const EffectSpec& spec : std::initializer_list<EffectSpec>{Stretch{}, Stretch{.nodes = 3}, Bend{}, Gravity{},
-                                                                  Drag{}, Plates{.gap = 0.1e-3}, tether})
+  const Obstacle cylinder{.shape = Obstacle::Shape::cylinder, .radius = 12e-3, .stiffness = 200};
+  Obstacle plane = cylinder, sphere = cylinder;
+  plane.shape = Obstacle::Shape::plane;
+  sphere.shape = Obstacle::Shape::sphere;
+  for (const EffectSpec& spec :
+       std::initializer_list<EffectSpec>{Stretch{}, Stretch{.nodes = 3}, Bend{}, Gravity{}, Drag{},
+                                         Plates{.gap = 0.1e-3}, tether, plane, cylinder, sphere})
     expect_the_same(spec, fabric);
 }
 

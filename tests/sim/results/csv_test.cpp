@@ -55,6 +55,21 @@ TEST(Csv, OfADeformationHasStrainsAndStressesByDirection) {
             "0.25,2,0,1,-0.5,-3,4\n");
 }
 
+TEST(Csv, OfAFabricThatIsOnlyPressedHasTheForceOnTheObstacleByTime) {
+  Results results;
+  append_row(results.samples, {{"stage", "1", 0}, {"t", "s", 1}, {"force.obstacle.z", "N", 9}});
+  append_row(results.samples, {{"stage", "1", 1}, {"t", "s", 0}, {"force.obstacle.z", "N", 0}});
+  append_row(results.samples, {{"stage", "1", 1}, {"t", "s", 0.5}, {"force.obstacle.z", "N", -2}});
+  append_row(results.samples, {{"stage", "1", 2}, {"t", "s", 1}});
+  EXPECT_EQ(curve_csv(results), "t_s,force_obstacle_z_N\n0,0\n0.5,-2\n");
+}
+
+TEST(Csv, OfAPulledFabricThatLeansOnAnObstacleHasBoth) {
+  Results results;
+  append_row(results.samples, {{"stage", "1", 0}, {"strain", "1", 0.1}, {"force.obstacle.2.x", "N", 3}});
+  EXPECT_EQ(curve_csv(results), "strain,stress_MPa,force_N,force_per_wale_N,force_obstacle_2_x_N\n0.1,nan,nan,nan,3\n");
+}
+
 TEST(Csv, OfARunWithoutAPullIsItsHeader) { EXPECT_EQ(curve_csv({}), "strain,stress_MPa,force_N,force_per_wale_N\n"); }
 
 TEST(Csv, IsWrittenWholeOrNotAtAll) {

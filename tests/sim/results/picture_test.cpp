@@ -103,7 +103,7 @@ TEST(FabricPicture, ColoursByStrainWithItsScale) {
   EXPECT_NE(svg.find(">20</text>"), std::string::npos);
   EXPECT_NE(svg.find("a &lt; b"), std::string::npos);
   EXPECT_NE(svg.find(">1 mm</text>"), std::string::npos);
-  options.tightening = 0;  // now unstretched
+  options.rest = 0;  // now unstretched
   EXPECT_EQ(seen(fabric_svg(fabric, fabric.points, options), middle_x, middle_y), svg::hex(svg::gradient(0)));
 }
 

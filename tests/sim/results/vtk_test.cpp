@@ -118,7 +118,7 @@ TEST(Vtk, TellsStrainEnergyAndCurvature) {
   const double step = 2 * std::numbers::pi / 40, fit = (4 + 2 * std::cos(step)) / 6;
   for (int i = 0; i < 43; ++i) fabric.points.col(i) = 0.01 / fit * Vec3(std::cos(step * i), std::sin(step * i), 0);
   for (int i = 0; i < 40; ++i) fabric.segments.push_back({0, 0, i, 1, 0.01 * step / 1.05});
-  const File file(vtp(fabric, fabric.points, {.shape = YarnShape::lines, .tightening = 1}));
+  const File file(vtp(fabric, fabric.points, {.shape = YarnShape::lines, .rest = 1}));
   for (const float strain : file.floats("strain")) EXPECT_NEAR(strain, 0.05, 1e-4);
   for (const float energy : file.floats("stretch_energy")) EXPECT_NEAR(energy, 0.5 * 68.1 * 0.05 * 0.05, 1e-3);
   for (const float curvature : file.floats("curvature")) EXPECT_NEAR(curvature, 100, 1);
@@ -156,11 +156,11 @@ TEST(StretchStrain, KnowsTheRestLengthsOfASnapshot) {
   scene.stages[0].tighten = 0.5;
   scene.stages[0].duration = 2;
   scene.stages[2].tighten = 1;
-  EXPECT_EQ(tightening_at(scene, {0, 0, {}}), 0);
-  EXPECT_EQ(tightening_at(scene, {.stage = 0, .sample = 1, .state = {.t = 1, .q = {}, .v = {}}}), 0.25);
-  EXPECT_EQ(tightening_at(scene, {1, 0, {}}), 0.5);
-  EXPECT_EQ(tightening_at(scene, {.stage = 2, .sample = 1, .state = {.t = 1, .q = {}, .v = {}}}), 1);
-  EXPECT_EQ(tightening_at({}, {0, 0, {}}), 1);
+  EXPECT_EQ(rest_lengths_at(scene, {0, 0, {}}), RestLengths(0));
+  EXPECT_EQ(rest_lengths_at(scene, {.stage = 0, .sample = 1, .state = {.t = 1, .q = {}, .v = {}}}), RestLengths(0.25));
+  EXPECT_EQ(rest_lengths_at(scene, {1, 0, {}}), RestLengths(0.5));
+  EXPECT_EQ(rest_lengths_at(scene, {.stage = 2, .sample = 1, .state = {.t = 1, .q = {}, .v = {}}}), RestLengths(1));
+  EXPECT_EQ(rest_lengths_at({}, {0, 0, {}}), RestLengths(1));
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+#include "sim/results/moments.hpp"
+
+#include "sim/results/curves.hpp"
+
+namespace wale {
+
+const Snapshot* relaxed_state(const Results& results) {
+  const Snapshot* relaxed = nullptr;
+  for (const Snapshot& snapshot : results.snapshots) {
+    const Stage& stage = results.scene.stages[static_cast<std::size_t>(snapshot.stage)];
+    relaxed = &snapshot;
+    if (stage.mount || stage.pull || stage.deform) break;
+  }
+  return relaxed;
+}
+
+const Snapshot* pulled_state(const Results& results) {
+  const std::optional<std::size_t> row = most_strained_row(results.samples);
+  if (!row || *row >= results.snapshots.size() || results.snapshots[*row].sample == 0) return nullptr;
+  return &results.snapshots[*row];
+}
+
+}  // namespace wale

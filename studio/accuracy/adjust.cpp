@@ -1,0 +1,93 @@
+#include "studio/accuracy/adjust.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wale {
+namespace {
+
+template <class... Unwanted>
+void leave_out(Stage& stage) {
+  std::vector<EffectSpec> kept;
+  for (const EffectSpec& effect : stage.effects)
+    if (!(std::holds_alternative<Unwanted>(effect) || ...)) kept.push_back(effect);
+  stage.effects = std::move(kept);
+}
+
+}  // namespace
+
+StageKind kind_of(const Stage& stage) {
+  return stage.mount || stage.pull || stage.deform ? StageKind::strained : StageKind::at_rest;
+}
+
+const Stage* last_strained_stage(const Scene& scene) {
+  const Stage* last = nullptr;
+  for (const Stage& stage : scene.stages)
+    if (stage.pull || stage.deform) last = &stage;
+  return last;
+}
+
+void scale_sampling(Scene& scene, double factor) {
+  const auto scale = [factor](auto& effect) { effect.sampling *= factor; };
+  for_each_effect<Contact>(scene, scale);
+  for_each_effect<ContactDamping>(scene, scale);
+  for_each_effect<Friction>(scene, scale);
+}
+
+void scale_tolerance(Scene& scene, StageKind kind, double factor) {
+  for (Stage& stage : scene.stages) {
+    auto* solver = std::get_if<QuasiStatic>(&stage.solver);
+    if (!solver || kind_of(stage) != kind) continue;
+    solver->tolerance *= factor;
+    solver->of_load *= factor;
+  }
+}
+
+void scale_samples(Scene& scene, double factor) {
+  for (Stage& stage : scene.stages) {
+    const double samples = stage.samples * factor;
+    const bool strained = stage.pull || stage.deform;
+    if (strained && std::holds_alternative<QuasiStatic>(stage.solver) && samples == std::round(samples))
+      stage.samples = static_cast<int>(samples);
+  }
+}
+
+void scale_step_error(Scene& scene, double factor) {
+  for (Stage& stage : scene.stages) {
+    if (auto* solver = std::get_if<RungeKutta>(&stage.solver)) {
+      solver->relative *= factor;
+      solver->absolute *= factor;
+    } else if (auto* implicit = std::get_if<Implicit>(&stage.solver)) {
+      implicit->relative *= factor;
+      implicit->absolute *= factor;
+      implicit->absolute_speed *= factor;
+    }
+  }
+}
+
+void scale_duration(Scene& scene, double factor) {
+  for (Stage& stage : scene.stages)
+    if (stage.pull || stage.deform) stage.duration *= factor;
+}
+
+void pull_in_motion(Scene& scene, double seconds, const SolverSpec& solver) {
+  const Drag air{0.2};  // lets what rings die away within a millisecond; see docs/solvers.md
+  for (Stage& stage : scene.stages) {
+    if (!stage.pull) continue;
+    stage.duration = seconds;
+    stage.solver = solver;
+    leave_out<Friction>(stage);
+    stage.effects.emplace_back(air);
+  }
+}
+
+void take_edges_off(Scene& scene) {
+  std::erase_if(scene.stages, [](const Stage& stage) { return stage.mount.has_value(); });
+  for (Stage& stage : scene.stages) {
+    stage.hold = Hold::none;
+    leave_out<Knots, Gravity>(stage);
+    if (!stage.tighten && !stage.pull && !stage.deform) stage.solver = QuasiStatic{.tolerance = 1e-4};
+  }
+}
+
+}  // namespace wale

@@ -1,0 +1,48 @@
+/// What a user reads off a run, and by how much two runs differ in it.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "sim/results/curves.hpp"
+
+namespace wale {
+
+/// One run, cut down to what is read off it.
+struct Measured {
+  std::vector<LabelledCurve> curves{};  ///< stress over strain: of a pull one, of a deformation three
+  Features features{};                  ///< of the pull
+  Sizes relaxed{};
+  double energy = 0;    ///< elastic, of the most strained state, for one stitch, J; NaN if nothing is strained
+  Points yarn{};        ///< places on the relaxed yarns, each at the same share of its yarn's length, m
+  double diameter = 0;  ///< of the thinnest yarn, m
+  bool intact = true;   ///< no yarn has passed through another
+};
+
+Measured measured(const Results&);
+
+/// The numbers that errors are given of, each over a scale of its own.
+struct Reading {
+  std::string_view key;   ///< in tables
+  std::string_view name;  ///< in sentences
+};
+constexpr std::array readings{
+    Reading{"stress", "stress, largest difference over the peak"},
+    Reading{"initial_stiffness", "initial stiffness"},
+    Reading{"transition_strain", "transition strain"},
+    Reading{"course_spacing", "relaxed course spacing"},
+    Reading{"wale_spacing", "relaxed wale spacing"},
+    Reading{"energy", "energy of a stitch, most strained"},
+    Reading{"position", "relaxed yarn, root mean square over its diameter"},
+};
+constexpr std::size_t of_stress = 0, of_course_spacing = 3, of_wale_spacing = 4, of_energy = 5, of_position = 6;
+
+/// One entry a reading: 0.01 is 1 %. NaN where one of two runs has no such number.
+using Errors = std::array<double, readings.size()>;
+
+/// Curves are compared at the samples of `run`, by the share of the stage that is done: `fine` may have other samples
+/// and is linear between them. Fabrics of other sizes have no common positions.
+Errors difference(const Measured& run, const Measured& fine);
+
+}  // namespace wale

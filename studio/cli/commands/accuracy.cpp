@@ -1,0 +1,143 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "compiler/spelling.hpp"
+#include "sim/results/file.hpp"
+#include "studio/accuracy/report.hpp"
+#include "studio/accuracy/sentences.hpp"
+#include "studio/cli/commands.hpp"
+#include "studio/cli/complain.hpp"
+#include "studio/cli/exit_code.hpp"
+#include "studio/cli/input.hpp"
+#include "studio/cli/interrupt.hpp"
+#include "studio/cli/report.hpp"
+#include "studio/cli/session.hpp"
+
+namespace wale {
+namespace {
+
+struct AccuracyCommand {
+  std::string scene, out;
+  std::vector<std::string> knobs;
+  bool progress = false, json = false, list = false;
+  int threads = 1, times = 1;
+};
+
+/// A scene read and compiled as its file says. Nothing, and said on stderr, if that cannot be.
+struct Read {
+  Sources sources;
+  const Source* source = nullptr;
+  std::optional<ParsedScene> parsed;
+  std::optional<Scene> scene;
+};
+
+std::unique_ptr<Read> read_scene(const std::string& path) {
+  auto read = std::make_unique<Read>();
+  read->source = read_or_complain(read->sources, path);
+  if (!read->source || is_knitout(*read->source)) return nullptr;
+  Diagnostics say;
+  read->scene = SceneText(*read->source, read->sources).compile({}, say);
+  print_all(say);
+  if (!read->scene || say.failed()) return nullptr;
+  Diagnostics said_before;
+  read->parsed = parse_scene(*read->source, said_before);
+  return read;
+}
+
+int list_knobs(const std::vector<Knob>& knobs) {
+  for (const Knob& knob : knobs) {
+    std::string values;
+    for (const Rung& rung : knob.rungs)
+      values += fmt::format("{}{}{}", values.empty() ? "" : ", ", rung.label, rung.as_written ? " (as written)" : "");
+    fmt::print("{:<20} {}{}\n", knob.key, values, knob.by_request ? "; only by --knob" : "");
+  }
+  return success;
+}
+
+int refuse_unknown(const std::vector<std::string>& wanted, const std::vector<Knob>& knobs) {
+  std::vector<std::string_view> keys;
+  for (const Knob& knob : knobs) keys.push_back(knob.key);
+  for (const std::string& key : wanted)
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      return complain("wale accuracy", fmt::format("this scene has no knob \"{}\"", key), suggest(key, keys));
+  return success;
+}
+
+void write(const Study& study, const std::filesystem::path& folder) {
+  write_file((folder / "accuracy.csv").string(), accuracy_csv(study));
+  write_file((folder / "accuracy.json").string(), accuracy_json(study));
+  write_file((folder / "accuracy.html").string(), accuracy_html(study));
+}
+
+void print_words(const Study& study, const std::string& folder) {
+  fmt::print("{}\n\n", summary_sentence(study));
+  for (const Ladder& ladder : study.ladders) {
+    fmt::print("{:<20} {}\n", ladder.key, sentence(ladder));
+    if (ladder.observed_order)
+      fmt::print("{:<20} order {:.1f}{}\n", "", *ladder.observed_order,
+                 ladder.expected_order ? fmt::format(", {:g} expected", *ladder.expected_order) : "");
+  }
+  fmt::print("\nIn {}: accuracy.html (diagrams), accuracy.csv, accuracy.json\n", folder);
+}
+
+/// Says which trial runs: always on a terminal, elsewhere if wanted.
+auto progress_line(bool wanted) {
+  const bool terminal = ::isatty(STDERR_FILENO) == 1;
+  return [=](int done, int of, const std::string& what) {
+    if (terminal)
+      fmt::print(stderr, "\r\x1b[K{}/{}  {}", done + 1, of, what);
+    else if (wanted)
+      fmt::print(stderr, "{}/{}  {}\n", done + 1, of, what);
+    std::fflush(stderr);
+  };
+}
+
+int accuracy_command(const AccuracyCommand& command) {
+  const std::atomic<bool>& interrupt = catch_interrupts();
+  use_threads(command.threads);
+  const auto read = read_scene(command.scene);
+  if (!read) return bad_input;
+  const std::vector<Knob> knobs = knobs_of(*read->parsed, *read->scene);
+  if (command.list) return list_knobs(knobs);
+  if (command.out.empty()) return complain("wale accuracy", "no place for the results", "add -o DIR");
+  if (refuse_unknown(command.knobs, knobs) != success) return bad_input;
+  try {
+    std::filesystem::create_directories(command.out);
+    open_part(command.out + "/accuracy.json");
+    drop_part(command.out + "/accuracy.json");
+  } catch (const std::system_error& error) {
+    return complain_unwritable(command.out, error);
+  }
+  const StudyOptions options{command.knobs, command.times, progress_line(command.progress), &interrupt};
+  const Study done = study(SceneText(*read->source, read->sources), *read->parsed, *read->scene, options);
+  if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\x1b[K");
+  write(done, command.out);
+  if (command.json)
+    fmt::print("{}", accuracy_json(done));
+  else
+    print_words(done, command.out);
+  if (!done.complete) fmt::print(stderr, "Interrupted; what had run is in {}\n", command.out);
+  return done.complete ? success : interrupted;
+}
+
+}  // namespace
+
+void add_accuracy(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<AccuracyCommand>();
+  CLI::App* command = app.add_subcommand("accuracy", "Shows what accuracy costs: runs a scene with every knob turned");
+  command->add_option("SCENE", options->scene, "A scene file")->required();
+  command->add_option("-o,--out", options->out, "The folder for accuracy.html, accuracy.csv and accuracy.json");
+  command->add_option("--knob", options->knobs, "Turn only these, and those all together");
+  command->add_flag("--list", options->list, "Print the knobs that this scene has, and run nothing");
+  command->add_option("--times", options->times, "Runs of each, of which medians are told")->check(CLI::Range(1, 100));
+  command->add_option("--threads", options->threads, "Threads to use; 1 if not given")->check(CLI::Range(1, 1024));
+  command->add_flag("--progress", options->progress, "Show progress on stderr even if that is no terminal");
+  command->add_flag("--json", options->json, "Print accuracy.json");
+  command->callback([options, &exit_code] { exit_code = accuracy_command(*options); });
+}
+
+}  // namespace wale
