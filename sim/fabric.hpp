@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wale {
@@ -19,6 +21,9 @@ enum class ContactLaw : std::uint8_t {
   quadratic,  ///< k (δ - 1)², finite at δ = 0: yarns can pull through (Ding et al. 2023, Eq. 18)
   core_shell  ///< k ((1 - δ)/(δ - c))^p, infinite where the cores touch (after Singal et al. 2024)
 };
+
+/// As users and files spell them, in the order of ContactLaw.
+inline constexpr std::array<std::string_view, 3> contact_law_names{"barrier", "quadratic", "core_shell"};
 
 /// A yarn as the mechanics sees it. The defaults are the corrected 16/2 acrylic of Ding et al. 2023, Table 1.
 struct Material {

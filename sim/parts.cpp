@@ -4,12 +4,6 @@
 
 namespace wale {
 
-double Parts::rest_length(int segment, double t) const {
-  const Segment& of = fabric.segment(segment);
-  const double length = RestLengths(tightening(t)).of(of);
-  return left.empty() ? length : length * left[static_cast<std::size_t>(of.material)](t);
-}
-
 std::shared_ptr<Beads> Parts::beads(double sampling, double screening) {
   auto& made = made_beads[{sampling, screening}];
   if (!made) made = std::make_shared<Beads>(fabric, sampling, screening);

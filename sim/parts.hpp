@@ -15,12 +15,9 @@ class Beads;
 /// References outlive the effects that are made from these parts.
 struct Parts {
   const Fabric& fabric;
-  const Schedule& tightening;  ///< 0: rest length is Segment::length, 1: Segment::knitted
-  const State& start;          ///< where the stage begins
+  const RestSchedules& rest;
+  const State& start;  ///< where the stage begins
 
-  RestLengths rest_lengths(double t) const { return rest_lengths_at(tightening, left, t); }
-  /// Of one segment, m.
-  double rest_length(int segment, double t) const;
   /// The contact beads for this sampling and screening, made when first asked for and shared by contact and its
   /// damping.
   std::shared_ptr<Beads> beads(double sampling, double screening);
@@ -30,7 +27,6 @@ struct Parts {
   /// Whether effects that depend on velocity are asked about the positions where a step began, while the others are
   /// asked about those where it ends.
   bool lagged = false;
-  std::vector<Schedule> left{};  ///< by material, what shrinking leaves of its rest length; empty: all of it
   std::map<std::pair<double, double>, std::shared_ptr<Beads>> made_beads{}, made_lagged_beads{};
 };
 

@@ -16,14 +16,14 @@ std::vector<double> left_after(const Stage& stage, std::vector<double> left, std
 
 }  // namespace
 
-RestLengths rest_lengths_at(const Schedule& tightening, const std::vector<Schedule>& left, double t) {
+RestLengths RestSchedules::operator()(double t) const {
   RestLengths now(tightening(t));
   for (const Schedule& of_material : left) now.left.push_back(of_material(t));
   return now;
 }
 
 RestSchedules rest_schedules(const Stage& stage, const RestLengths& before, std::size_t materials) {
-  RestSchedules of{before.tightness, {}};
+  RestSchedules of(before.tightness);
   if (stage.tighten) of.tightening = Schedule::ramp(before.tightness, *stage.tighten, stage.duration);
   const std::vector<double> after = left_after(stage, before.left, materials);
   for (std::size_t i = 0; i < after.size(); ++i)

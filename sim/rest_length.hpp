@@ -22,14 +22,14 @@ struct RestLengths {
   bool operator==(const RestLengths&) const = default;
 };
 
-/// Both as schedules, at time t.
-RestLengths rest_lengths_at(const Schedule& tightening, const std::vector<Schedule>& left, double t);
-
 /// How they change within a stage; as RestLengths.
 struct RestSchedules {
   Schedule tightening;
-  std::vector<Schedule> left;
-  RestLengths operator()(double t) const { return rest_lengths_at(tightening, left, t); }
+  std::vector<Schedule> left{};
+
+  RestSchedules(Schedule of_tightening = 0.0) : tightening(std::move(of_tightening)) {}  // NOLINT: nothing shrinks
+  RestSchedules(double of_tightening) : tightening(of_tightening) {}                     // NOLINT: nor is tightened
+  RestLengths operator()(double t) const;
 };
 
 /// `before`: rest lengths where the stage begins. `materials`: how many the fabric has.

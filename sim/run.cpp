@@ -70,8 +70,6 @@ class Run {
     follow(q);
   }
 
-  static bool grips(const Stage& stage) { return stage.mount || stage.pull || stage.deform; }
-
   const Stage& stage_at(int index) const { return results_.scene.stages[static_cast<std::size_t>(index)]; }
 
   /// The state that a stage starts from, as its snapshot 0.
@@ -83,8 +81,8 @@ class Run {
     results_.snapshots.push_back({stage, 0, std::move(state)});
     const Stage& of = stage_at(stage);
     // Once gripped a fabric no longer lies as it relaxed.
-    const bool gripped_before = stage > 0 && grips(stage_at(stage - 1));
-    if (grips(of) && !gripped_before)
+    const bool gripped_before = stage > 0 && stage_at(stage - 1).grips();
+    if (of.grips() && !gripped_before)
       results_.relaxed = measure(results_.scene.fabric, results_.scene.gauge, results_.snapshots.back().state.q);
     const StageSetup setup(results_.scene, of, start_of(stage), rest_lengths_before(results_.scene, stage),
                            results_.relaxed);

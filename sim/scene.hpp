@@ -201,6 +201,10 @@ struct Stage {
   double grip_stiffness = 1e6;      ///< k_t of the tethers of `hold` and `pull`, N/m²
   std::vector<EffectSpec> effects;  ///< what is not here is not simulated
   SolverSpec solver;
+
+  bool strains() const { return pull || deform; }
+  /// Then the fabric does not lie as it relaxed.
+  bool grips() const { return mount || strains(); }
 };
 
 /// How the fabric is measured: the two ends that are gripped, along either direction (a periodic fabric has none), and

@@ -130,8 +130,8 @@ void StageSetup::pull_ends() {
 }
 
 std::unique_ptr<World> StageSetup::world() const {
-  auto world = std::make_unique<World>(scene_.fabric, effects_, rest_.tightening, start_, scene_.clamps,
-                                       !std::holds_alternative<RungeKutta>(stage_.solver), rest_.left);
+  auto world = std::make_unique<World>(scene_.fabric, effects_, rest_, start_, scene_.clamps,
+                                       !std::holds_alternative<RungeKutta>(stage_.solver));
   world->guide(guide_);
   return world;
 }

@@ -15,12 +15,12 @@ bool is_meant(const Effect& effect, Acting which) {
 
 }  // namespace
 
-World::World(const Fabric& fabric, std::vector<EffectSpec> effects, Schedule tightening, State start,
-             const std::vector<Clamp>& clamps, bool lagged, std::vector<Schedule> left)
+World::World(const Fabric& fabric, std::vector<EffectSpec> effects, RestSchedules rest, State start,
+             const std::vector<Clamp>& clamps, bool lagged)
     : fabric_(fabric),
-      tightening_(std::move(tightening)),
+      rest_(std::move(rest)),
       start_(std::move(start)),
-      parts_{.fabric = fabric_, .tightening = tightening_, .start = start_, .lagged = lagged, .left = std::move(left)},
+      parts_{.fabric = fabric_, .rest = rest_, .start = start_, .lagged = lagged},
       ties_(fabric),
       mass_(fabric),
       constraints_(fabric, clamps, start_.q) {

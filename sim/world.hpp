@@ -19,9 +19,9 @@ enum class Acting : std::uint8_t { all, elastic, dissipative };
 /// Not copyable: effects refer to its parts. `fabric` must outlive it.
 class World {
  public:
-  /// `tightening`, `lagged`, `left`: see Parts. `start` is where the stage begins: tethers hold what lies there.
-  World(const Fabric& fabric, std::vector<EffectSpec> effects, Schedule tightening, State start,
-        const std::vector<Clamp>& clamps = {}, bool lagged = false, std::vector<Schedule> left = {});
+  /// `rest`, `lagged`: see Parts. `start` is where the stage begins: tethers hold what lies there.
+  World(const Fabric& fabric, std::vector<EffectSpec> effects, RestSchedules rest, State start,
+        const std::vector<Clamp>& clamps = {}, bool lagged = false);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
@@ -60,7 +60,7 @@ class World {
 
  private:
   const Fabric& fabric_;
-  Schedule tightening_;
+  RestSchedules rest_;
   State start_;
   Parts parts_;
   Ties ties_;

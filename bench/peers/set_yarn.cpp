@@ -2,18 +2,13 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/cross_matrix.hpp"
 #include "sim/spline.hpp"
 
 namespace wale::peers {
 namespace {
 
 constexpr int nodes = 3;
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
 
 Vec3 curvature_of(const Vec3& a, const Vec3& b) { return a.cross(b) / std::pow(a.norm(), 3); }
 
@@ -43,9 +38,10 @@ class SetYarn final : public Effect {
   std::string_view name() const override { return "bend"; }
 
   void add(const State& at, Load& out) const override {
+    const RestLengths rest = parts_.rest(at.t);
     auto laid = laid_.begin();
     for (int i = 0; i < parts_.fabric.segment_count(); ++i)
-      for (const Node& node : nodes_) add_node(at, i, node, *laid++, out);
+      for (const Node& node : nodes_) add_node(at, i, rest.of(parts_.fabric.segment(i)), node, *laid++, out);
   }
 
  private:
@@ -53,9 +49,9 @@ class SetYarn final : public Effect {
     Vec3 tangent, curvature;
   };
 
-  void add_node(const State& at, int segment, const Node& node, const Laid& of, Load& out) const {
+  /// `l`: the segment's rest length.
+  void add_node(const State& at, int segment, double l, const Node& node, const Laid& of, Load& out) const {
     const int first = parts_.fabric.first_point(segment);
-    const double l = parts_.rest_length(segment, at.t);
     const double scale = node.weight * parts_.fabric.material_of(segment).bending_rigidity * l;
     const Vec3 a = combine(at.q, first, node.basis.first), b = combine(at.q, first, node.basis.second);
     const double length = a.norm(), p = 1 / (length * length * length);

@@ -113,8 +113,8 @@ class MaterialReader {
     if (!given) return;
     const Fields contact(*given, "a material's contact", {"law", "stiffness", "core_diameter", "exponent"}, say_);
     if (const YamlNode* law = contact.find("law")) {
-      const auto word = read_word(*law, "a contact law", {"barrier", "quadratic", "core_shell"}, say_);
-      if (word) material_.law = std::array{ContactLaw::barrier, ContactLaw::quadratic, ContactLaw::core_shell}[*word];
+      const auto word = read_word(*law, "a contact law", {contact_law_names.begin(), contact_law_names.end()}, say_);
+      if (word) material_.law = ContactLaw{static_cast<std::uint8_t>(*word)};
     }
     set_of(contact, "stiffness", dimensions::stiffness, contact_stiffnesses, material_.contact_stiffness);
     set_of(contact, "core_diameter", dimensions::length, diameters, material_.core_diameter);

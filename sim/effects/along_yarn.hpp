@@ -115,7 +115,7 @@ class AlongYarn final : public Effect {
 
   void add_slopes(const State& at, double* scalar, Points* force) const {
     const Slopes slopes = law_.slopes(at.t);
-    const RestLengths rest = parts_.rest_lengths(at.t);
+    const RestLengths rest = parts_.rest(at.t);
     const AlongKernel<Slopes> kernel = kernels().along<Slopes>();
     std::vector<double> scalars(blocks_.all().size());
 #pragma omp parallel if (!is_little())
@@ -156,8 +156,7 @@ class AlongYarn final : public Effect {
     });
   }
 
-  Site<double> site(const State& at, std::size_t i, std::size_t node, const Rule& rule) const {
-    const Segment& segment = parts_.fabric.segment(blocks_.segments()[i]);
+  Site<double> site(const State& at, double rest_length, std::size_t i, std::size_t node, const Rule& rule) const {
     const NodeWeights& of = rule.nodes[node];
     const int first = first_point(i);
     Vector<double> kept;
@@ -168,8 +167,8 @@ class AlongYarn final : public Effect {
             to_vector(combine(at.q, first, of.first)),
             to_vector(combine(at.q, first, of.second)),
             to_vector(combine(at.v, first, of.value)),
-            parts_.rest_length(blocks_.segments()[i], at.t),
-            segment.length,
+            rest_length,
+            l0_[i],
             constant_[i],
             kept};
   }
@@ -178,12 +177,13 @@ class AlongYarn final : public Effect {
     if (!out) return;
     const std::vector<int>& places = places_in(*out);
     const Slopes now = law_.slopes(at.t);
+    const RestLengths rest = parts_.rest(at.t);
     // Where two threads meet, both ask the law about the segments that reach across.
     share_points(static_cast<int>(at.q.cols()), is_little(), [&](int from, int to) {
       for (const SegmentBlock& block : blocks_.all())
         for (std::size_t i = block.begin; i < block.end(); ++i)
           if (first_point(i) + 4 > from && first_point(i) < to)
-            add_second(now, at, i, rule_of(block),
+            add_second(now, at, rest.of(parts_.fabric.segment(blocks_.segments()[i])), i, rule_of(block),
                        {std::max(from - first_point(i), 0), std::min(to - first_point(i), 4)}, convex, places, *out);
     });
   }
@@ -193,15 +193,15 @@ class AlongYarn final : public Effect {
     int from = 0, to = 0;
   };
 
-  void add_second(const Slopes& now, const State& at, std::size_t i, const Rule& rule, Range mine, bool convex,
-                  const std::vector<int>& places, Stiffness& out) const {
+  void add_second(const Slopes& now, const State& at, double rest_length, std::size_t i, const Rule& rule, Range mine,
+                  bool convex, const std::vector<int>& places, Stiffness& out) const {
     // Blocks (j, k) with j <= k of the segment, row by row: so many lie before each row.
     constexpr std::array<std::size_t, 4> before{0, 4, 7, 9};
     for (std::size_t node = 0; node < rule.nodes.size(); ++node) {
       const NodeWeights& b = rule.nodes[node];
       const double w = b.weight;
       Curvature c;
-      law_.curvature(now, site(at, i, node, rule), c, convex);
+      law_.curvature(now, site(at, rest_length, i, node, rule), c, convex);
       for (auto j = static_cast<std::size_t>(mine.from); j < static_cast<std::size_t>(mine.to); ++j) {
         std::size_t place = i * 10 + before[j];
         const Mat3 by_y = w * b.value[j] * (Slopes::elastic ? c.y_y : c.v_v);

@@ -2,16 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/cross_matrix.hpp"
 #include "sim/effects/along_yarn.hpp"
 
 namespace wale {
 namespace {
-
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
 
 /// JᵀJ of the curvature vector a × b / |a|³, of which κ is the length.
 void gauss_newton(double scale, const Vec3& a, const Vec3& b, Curvature& out) {

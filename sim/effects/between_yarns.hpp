@@ -116,7 +116,7 @@ class BetweenYarns final : public Effect {
 
   /// How far apart beads are on their yarn, by segment, m.
   std::vector<double> spacings(double t) const {
-    const RestLengths rest = parts_.rest_lengths(t);
+    const RestLengths rest = parts_.rest(t);
     std::vector<double> spacing;
     spacing.reserve(parts_.fabric.segments.size());
     for (int i = 0; i < parts_.fabric.segment_count(); ++i)

@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "sim/cross_matrix.hpp"
 #include "sim/parts.hpp"
 #include "sim/spline.hpp"
 #include "sim/turns.hpp"
@@ -52,8 +53,7 @@ class PressureEffect final : public Effect {
   void add(const State& at, Load& out) const override {
     const double push = (spec_.from + spec_.progress(at.t) * (spec_.to - spec_.from)) * height_;
     const Vec3& a = spec_.axis;
-    Mat3 across;
-    across << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    const Mat3 across = cross_matrix(a);
     for (const Pair& pair : pairs_) {
       const Vec3 qj = at.q.col(pair.j), qk = at.q.col(pair.k);
       const double c = push * pair.weight;

@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 
+#include "sim/cross_matrix.hpp"
 #include "sim/effects/along_yarn.hpp"
 
 namespace wale {
@@ -35,12 +36,10 @@ struct Writhing {
     value = (P / n + a.dot(from.turning)) / D;
     by_a = (P_a / n - P / n3 * a + from.turning - value * D_a) / D;
     by_b = P_b / (n * D);
-    Mat3 across;
-    across << 0, -t0.z(), t0.y(), t0.z(), 0, -t0.x(), -t0.y(), t0.x(), 0;
     by_aa = (-(P_a * a.transpose() + a * P_a.transpose()) / n3 - P / n3 * (one - 3 / (n * n) * aa) -
              by_a * D_a.transpose() - D_a * by_a.transpose() - value / n * (one - aa / (n * n))) /
             D;
-    by_ab = (-across / n - a * P_b.transpose() / n3 - D_a * by_b.transpose()) / D;
+    by_ab = (-cross_matrix(t0) / n - a * P_b.transpose() / n3 - D_a * by_b.transpose()) / D;
   }
 };
 

@@ -36,13 +36,9 @@ void describe_cell(const Reader& in, std::optional<PeriodicCell>& cell) {
   cell = PeriodicCell{periods.col(0), periods.col(1)};
 }
 
-/// Older files do not say where stitches are asked for.
-bool has_places(const Writer&) { return true; }
-bool has_places(const Reader& segments) { return segments.group().has("column"); }
-
-/// Nor how often a step was tried again.
-bool has_retries(const Writer&) { return true; }
-bool has_retries(const Reader& report) { return report.group().has("retries"); }
+/// Whether a member is there that older files lack.
+bool has(const Writer&, const char*) { return true; }
+bool has(const Reader& in, const char* name) { return in.group().has(name); }
 
 template <class Archive, class AnyFabric>
 void describe_fabric(Archive in, AnyFabric& fabric) {
@@ -66,7 +62,7 @@ void describe_fabric(Archive in, AnyFabric& fabric) {
   segments.field("stitch", "", fabric.segments, &Segment::stitch);
   segments.field("length", "m", fabric.segments, &Segment::length);
   segments.field("knitted", "m", fabric.segments, &Segment::knitted);
-  if (has_places(segments)) {
+  if (has(segments, "column")) {
     in.value("source", fabric.source);
     segments.field("line", "", fabric.segments, &Segment::line);
     segments.field("column", "", fabric.segments, &Segment::column);
@@ -127,7 +123,7 @@ void describe_report(Archive in, AnyResults& results) {
   effort.value("evaluations", results.effort.evaluations);
   effort.value("factorizations", results.effort.factorizations);
   effort.value("failure", results.effort.failure);
-  if (has_retries(in)) {
+  if (has(in, "retries")) {
     auto retries = in.group("retries");
     retries.value("halved", results.effort.retries.halved);
     retries.value("continued", results.effort.retries.continued);

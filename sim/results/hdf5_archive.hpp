@@ -12,22 +12,20 @@
 
 namespace wale::hdf5 {
 
-inline constexpr std::array<const char*, 3> law_names{"barrier", "quadratic", "core_shell"};
-
 /// What a member is in the file: a number is itself, a truth is 0 or 1, a contact law its name.
 inline double stored(double value) { return value; }
 inline int stored(int value) { return value; }
 inline int stored(bool value) { return value ? 1 : 0; }
 inline std::string stored(const std::string& value) { return value; }
-inline std::string stored(ContactLaw law) { return law_names.at(static_cast<std::size_t>(law)); }
+inline std::string stored(ContactLaw law) { return std::string(contact_law_names.at(static_cast<std::size_t>(law))); }
 
 inline void restore(double value, double& member) { member = value; }
 inline void restore(int value, int& member) { member = value; }
 inline void restore(int value, bool& member) { member = value != 0; }
 inline void restore(const std::string& value, std::string& member) { member = value; }
 inline void restore(const std::string& name, ContactLaw& law) {
-  for (std::size_t i = 0; i < law_names.size(); ++i)
-    if (name == law_names[i]) {
+  for (std::size_t i = 0; i < contact_law_names.size(); ++i)
+    if (name == contact_law_names[i]) {
       law = static_cast<ContactLaw>(i);
       return;
     }

@@ -9,7 +9,7 @@ const Snapshot* relaxed_state(const Results& results) {
   for (const Snapshot& snapshot : results.snapshots) {
     const Stage& stage = results.scene.stages[static_cast<std::size_t>(snapshot.stage)];
     relaxed = &snapshot;
-    if (stage.mount || stage.pull || stage.deform) break;
+    if (stage.grips()) break;
   }
   return relaxed;
 }

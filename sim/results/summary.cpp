@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 bool is_strained(const Scene& scene, const std::string& name) {
   const auto stage =
       std::find_if(scene.stages.begin(), scene.stages.end(), [&](const Stage& each) { return each.name == name; });
-  return stage != scene.stages.end() ? stage->pull || stage->deform : name.starts_with("pull");
+  return stage != scene.stages.end() ? stage->strains() : name.starts_with("pull");
 }
 
 /// Phases of one name add up: a resumed run has some twice.

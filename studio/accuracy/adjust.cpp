@@ -16,14 +16,12 @@ void leave_out(Stage& stage) {
 
 }  // namespace
 
-StageKind kind_of(const Stage& stage) {
-  return stage.mount || stage.pull || stage.deform ? StageKind::strained : StageKind::at_rest;
-}
+StageKind kind_of(const Stage& stage) { return stage.grips() ? StageKind::strained : StageKind::at_rest; }
 
 const Stage* last_strained_stage(const Scene& scene) {
   const Stage* last = nullptr;
   for (const Stage& stage : scene.stages)
-    if (stage.pull || stage.deform) last = &stage;
+    if (stage.strains()) last = &stage;
   return last;
 }
 
@@ -46,8 +44,7 @@ void scale_tolerance(Scene& scene, StageKind kind, double factor) {
 void scale_samples(Scene& scene, double factor) {
   for (Stage& stage : scene.stages) {
     const double samples = stage.samples * factor;
-    const bool strained = stage.pull || stage.deform;
-    if (strained && std::holds_alternative<QuasiStatic>(stage.solver) && samples == std::round(samples))
+    if (stage.strains() && std::holds_alternative<QuasiStatic>(stage.solver) && samples == std::round(samples))
       stage.samples = static_cast<int>(samples);
   }
 }
@@ -67,7 +64,7 @@ void scale_step_error(Scene& scene, double factor) {
 
 void scale_duration(Scene& scene, double factor) {
   for (Stage& stage : scene.stages)
-    if (stage.pull || stage.deform) stage.duration *= factor;
+    if (stage.strains()) stage.duration *= factor;
 }
 
 void pull_in_motion(Scene& scene, double seconds, const SolverSpec& solver) {
@@ -86,7 +83,7 @@ void take_edges_off(Scene& scene) {
   for (Stage& stage : scene.stages) {
     stage.hold = Hold::none;
     leave_out<Knots, Gravity>(stage);
-    if (!stage.tighten && !stage.pull && !stage.deform) stage.solver = QuasiStatic{.tolerance = 1e-4};
+    if (!stage.tighten && !stage.strains()) stage.solver = QuasiStatic{.tolerance = 1e-4};
   }
 }
 

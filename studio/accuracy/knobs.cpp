@@ -66,10 +66,9 @@ Knob sampling(double written) {
 }
 
 Knob law(ContactLaw written) {
-  constexpr std::string_view names[] = {"barrier", "quadratic", "core_shell"};
   Knob knob{"law", "contact law", Knob::Kind::choice};
   for (const ContactLaw law : {ContactLaw::barrier, ContactLaw::quadratic, ContactLaw::core_shell}) {
-    knob.rungs.push_back(rung(std::string(names[static_cast<std::size_t>(law)]), 0, [law](Scene& scene) {
+    knob.rungs.push_back(rung(std::string(contact_law_names[static_cast<std::size_t>(law)]), 0, [law](Scene& scene) {
       for (Material& material : scene.fabric.materials) material.law = law;
     }));
     knob.rungs.back().as_written = law == written;
@@ -215,7 +214,7 @@ void append_knobs_of_stages(const Scene& scene, std::vector<Knob>& knobs) {
 
 }  // namespace
 
-std::vector<Knob> knobs_of(const ParsedScene& parsed, const Scene& scene) {
+std::vector<Knob> knobs_of(const ParsedScene& parsed, const Scene& scene, bool of_chart) {
   std::vector<Knob> knobs{segments(parsed)};
   if (const Stretch* effect = find_effect<Stretch>(scene))
     knobs.push_back(nodes<Stretch>("stretch_nodes", "nodes a segment for stretch", 3, effect->nodes));
@@ -227,12 +226,11 @@ std::vector<Knob> knobs_of(const ParsedScene& parsed, const Scene& scene) {
     knobs.push_back(contact_stiffness(scene.fabric.materials.front().contact_stiffness));
   }
   append_knobs_of_stages(scene, knobs);
-  if (parsed.knitout.crop.courses || parsed.pattern_path.ends_with(".k")) return knobs;
-  knobs.push_back(size(scene.gauge, scene.fabric.cell.has_value()));
+  if (of_chart) knobs.push_back(size(scene.gauge, scene.fabric.cell.has_value()));
   return knobs;
 }
 
-Knob all_together(const ParsedScene& parsed, const Scene&) {
+Knob all_together(const ParsedScene& parsed) {
   struct Level {
     double segments, sampling, tolerance, samples;
   };

@@ -32,10 +32,10 @@ struct Knob {
   bool by_request = false;        ///< costs so much that it is only tried when asked for
 };
 
-/// The knobs that a scene has. `parsed` and `compiled` are that scene.
-std::vector<Knob> knobs_of(const ParsedScene& parsed, const Scene& compiled);
+/// The knobs that a scene has. `parsed` and `compiled` are that scene, `of_chart` says whether its pattern is one.
+std::vector<Knob> knobs_of(const ParsedScene& parsed, const Scene& compiled, bool of_chart);
 
 /// Every knob of resolution at once, from coarse to fine; the last two are the references of a study.
-Knob all_together(const ParsedScene& parsed, const Scene& compiled);
+Knob all_together(const ParsedScene& parsed);
 
 }  // namespace wale

@@ -44,8 +44,8 @@ std::string accuracy_csv(const Study& study) {
   std::string text =
       "knob,value,size,wall_s,processor_s,evaluations,factorizations,memory_MB,intact,rests_elsewhere,"
       "greatest_stress_Pa,initial_stiffness_Pa,transition_strain,course_spacing_m,wale_spacing_m,stitch_energy_J";
-  for (const Reading& reading : readings) text += fmt::format(",error_{}", reading.key);
-  for (const Reading& reading : readings) text += fmt::format(",own_error_{}", reading.key);
+  for (const std::string_view reading : readings) text += fmt::format(",error_{}", reading);
+  for (const std::string_view reading : readings) text += fmt::format(",own_error_{}", reading);
   text += "\n";
   for (const Ladder& ladder : study.ladders)
     for (const Trial& trial : ladder.trials) text += row(ladder, trial);

@@ -72,8 +72,8 @@ std::string table(const Ladder& ladder) {
       "<h3>{}</h3>\n<table><tr><th>{}</th><th>time, s</th><th>evaluations</th><th>factors</th>"
       "<th>MB</th><th>alone</th>",
       escape(ladder.key), escape(ladder.noun));
-  for (const Reading& reading : readings) {
-    std::string key(reading.key);
+  for (const std::string_view reading : readings) {
+    std::string key(reading);
     for (char& letter : key)
       if (letter == '_') letter = ' ';
     html += fmt::format("<th>{}</th>", key);

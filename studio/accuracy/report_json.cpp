@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 Json errors_json(const Errors& errors) {
   Json object = Json::object();
-  for (std::size_t i = 0; i < readings.size(); ++i) object[std::string(readings[i].key)] = errors[i];
+  for (std::size_t i = 0; i < readings.size(); ++i) object[std::string(readings[i])] = errors[i];
   return object;
 }
 

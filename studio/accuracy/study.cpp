@@ -65,22 +65,15 @@ class Trials {
   int of_, done_ = 0;
 };
 
-std::vector<Knob> asked_for(std::vector<Knob> knobs, const std::vector<std::string>& keys) {
-  std::erase_if(knobs, [&](const Knob& knob) {
-    return keys.empty() ? knob.by_request : std::find(keys.begin(), keys.end(), knob.key) == keys.end();
-  });
-  return knobs;
-}
-
 }  // namespace
 
-Study study(const SceneText& text, const ParsedScene& parsed, const Scene& compiled, const StudyOptions& options) {
-  std::vector<Knob> knobs = asked_for(knobs_of(parsed, compiled), options.knobs);
-  knobs.insert(knobs.begin(), all_together(parsed, compiled));
+Study study(const SceneText& text, const std::string& name, std::vector<Knob> knobs, const Knob& together,
+            const StudyOptions& options) {
+  knobs.insert(knobs.begin(), together);  // an interrupted study has a reference first of all
   int of = 0;
   for (const Knob& knob : knobs) of += static_cast<int>(knob.rungs.size());
 
-  Study study{.scene = compiled.name, .threads = omp_get_max_threads(), .times = options.times, .reference = {}};
+  Study study{.scene = name, .threads = omp_get_max_threads(), .times = options.times, .reference = {}};
   Trials trials(text, options, of);
   for (const Knob& knob : knobs) {
     Ladder ladder{knob.key, knob.noun, knob.kind, knob.order};

@@ -46,13 +46,13 @@ struct Study {
 };
 
 struct StudyOptions {
-  std::vector<std::string> knobs{};  ///< keys; empty: all that are not by request
-  int times = 1;                     ///< runs of each, of which the times are medians
+  int times = 1;  ///< runs of each, of which the times are medians
   std::function<void(int done, int of, const std::string& what)> progress{};
   const std::atomic<bool>* interrupt = nullptr;
 };
 
-/// Runs and compares. An interrupted study holds what was done, if that includes the reference.
-Study study(const SceneText&, const ParsedScene&, const Scene& compiled, const StudyOptions&);
+/// Runs the rungs of some knobs, and of `together`, and compares. An interrupted study holds what was done.
+Study study(const SceneText&, const std::string& name, std::vector<Knob> knobs, const Knob& together,
+            const StudyOptions&);
 
 }  // namespace wale

@@ -16,8 +16,8 @@ struct Variant {
 /// A scene's file with all that it reads, and how it is compiled in variants.
 class SceneText {
  public:
-  /// Reads nothing yet; `path` is where the scene's file lies.
-  explicit SceneText(const Source& scene, Sources& sources) : scene_(scene), sources_(sources) {}
+  /// Both must outlive it.
+  SceneText(const Source& scene, Sources& sources) : scene_(scene), sources_(sources) {}
   /// Nothing if an error was reported.
   std::optional<Scene> compile(const Variant&, Diagnostics&) const;
   const Source& source() const { return scene_; }

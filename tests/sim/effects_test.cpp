@@ -101,7 +101,7 @@ class EveryEffect : public testing::TestWithParam<Case> {
  protected:
   struct Bench {
     Fabric fabric;
-    Schedule tightening = Schedule::ramp(0, 1, 0.8);
+    RestSchedules rest = Schedule::ramp(0, 1, 0.8);
     State start, at;
     std::unique_ptr<Parts> parts;
     std::unique_ptr<Effect> effect;
@@ -116,7 +116,7 @@ class EveryEffect : public testing::TestWithParam<Case> {
     made->at = shaken_state(made->fabric, 0.1, 2);
     shake(made->at.q, 1e-5, 3);
     made->at.t = now;
-    made->parts = std::make_unique<Parts>(Parts{made->fabric, made->tightening, made->start});
+    made->parts = std::make_unique<Parts>(Parts{made->fabric, made->rest, made->start});
     made->effect = std::visit([&](const auto& spec) { return make(spec, *made->parts); }, GetParam().spec);
     return made;
   }
@@ -335,7 +335,7 @@ INSTANTIATE_TEST_SUITE_P(Effects, EveryEffect, testing::ValuesIn(cases()),
 /// The true force on a straight yarn of ten millimetres, which is moved by `by` from where the stage began.
 Vec3 total_force(const EffectSpec& spec, const Vec3& by, double t) {
   const Fabric fabric = straight_rod(10e-3, 8);
-  const Schedule laid = 0.0;
+  const RestSchedules laid = 0.0;
   const State start = shaken_state(fabric, 0, 1);
   Parts parts{fabric, laid, start};
   const auto effect = std::visit([&](const auto& of) { return make(of, parts); }, spec);
@@ -369,7 +369,7 @@ TEST(Tether, HoldsWhatItHasMovedAndScaledToItsTarget) {
 
 TEST(Tether, LeavesAnEvenlyStretchedYarnAloneWhenItsTargetIsThatStretch) {
   const Fabric fabric = straight_rod(10e-3, 8);
-  const Schedule laid = 0.0;
+  const RestSchedules laid = 0.0;
   State at = shaken_state(fabric, 0, 1);
   const State start = at;
   Parts parts{fabric, laid, start};
@@ -394,7 +394,7 @@ TEST(Stretch, HasTheSameStiffnessConvexOrNotWhereTheYarnIsTaut) {
   Fabric fabric = straight_rod(5e-3, 6);
   shake(fabric.points, 1e-5, 4);
   fabric.points *= 1.2;
-  const Schedule laid = 0.0;
+  const RestSchedules laid = 0.0;
   State at = shaken_state(fabric, 0, 1);
   Parts parts{fabric, laid, at};
   const auto stretch = make(Stretch{}, parts);
@@ -406,7 +406,7 @@ TEST(Stretch, HasTheSameStiffnessConvexOrNotWhereTheYarnIsTaut) {
 
 TEST(Bend, HasTheSameStiffnessConvexOrNotInAStraightYarn) {
   const Fabric fabric = straight_rod(5e-3, 6);
-  const Schedule laid = 0.0;
+  const RestSchedules laid = 0.0;
   State at = shaken_state(fabric, 0, 1);
   Parts parts{fabric, laid, at};
   const auto bend = make(Bend{}, parts);
@@ -432,9 +432,9 @@ struct Bent {
   Points force;
 };
 
-Bent bent(const Fabric& fabric, const Schedule& tightening, const Points& q) {
+Bent bent(const Fabric& fabric, const RestSchedules& rest, const Points& q) {
   State at = shaken_state(fabric, 0, 1);
-  Parts parts{fabric, tightening, at};
+  Parts parts{fabric, rest, at};
   const auto bend = make(Bend{.rest = RestShape::as_laid}, parts);
   at.q = q;
   Bent found{0, Points::Zero(3, q.cols())};
@@ -519,7 +519,7 @@ std::pair<double, double> sum_over_all_beads(const Fabric& fabric, const Points&
 
 TEST(Contact, MissesNoPairOfBeadsWhileTheYarnsMove) {
   Fabric fabric = woven_yarns(3, 8, 9);
-  const Schedule tight = 1.0;
+  const RestSchedules tight = 1.0;
   State at = shaken_state(fabric, 1, 5);
   Parts parts{fabric, tight, at};
   const Contact spec;

@@ -22,28 +22,11 @@ const HardCase& hard_case(const std::string& name) {
   return *found;
 }
 
-const char* name_of(SolverKind kind) {
-  switch (kind) {
-    case SolverKind::runge_kutta:
-      return "runge_kutta";
-    case SolverKind::implicit:
-      return "implicit";
-    case SolverKind::quasi_static:
-      return "quasi_static";
-  }
-  return "";
+std::string name_of(SolverKind kind) {
+  constexpr const char* names[] = {"runge_kutta", "implicit", "quasi_static"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
-const char* name_of(ContactLaw law) {
-  switch (law) {
-    case ContactLaw::barrier:
-      return "barrier";
-    case ContactLaw::quadratic:
-      return "quadratic";
-    case ContactLaw::core_shell:
-      return "core_shell";
-  }
-  return "";
-}
+std::string name_of(ContactLaw law) { return std::string(contact_law_names[static_cast<std::size_t>(law)]); }
 
 }  // namespace wale::stability

@@ -45,7 +45,7 @@ std::vector<HardCase> cases_of_yarns();
 std::vector<HardCase> cases_of_knots();
 std::vector<HardCase> cases_of_fabrics();
 
-const char* name_of(SolverKind);
-const char* name_of(ContactLaw);
+std::string name_of(SolverKind);
+std::string name_of(ContactLaw);
 
 }  // namespace wale::stability

@@ -15,6 +15,7 @@
 #include "studio/cli/input.hpp"
 #include "studio/cli/interrupt.hpp"
 #include "studio/cli/report.hpp"
+#include "studio/cli/run_folder.hpp"
 #include "studio/cli/session.hpp"
 
 namespace wale {
@@ -33,6 +34,7 @@ struct Read {
   const Source* source = nullptr;
   std::optional<ParsedScene> parsed;
   std::optional<Scene> scene;
+  bool of_chart = true;
 };
 
 std::unique_ptr<Read> read_scene(const std::string& path) {
@@ -45,6 +47,7 @@ std::unique_ptr<Read> read_scene(const std::string& path) {
   if (!read->scene || say.failed()) return nullptr;
   Diagnostics said_before;
   read->parsed = parse_scene(*read->source, said_before);
+  read->of_chart = !holds_knitout(*read_pattern(*read->parsed, read->sources, said_before));
   return read;
 }
 
@@ -65,6 +68,12 @@ int refuse_unknown(const std::vector<std::string>& wanted, const std::vector<Kno
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
       return complain("wale accuracy", fmt::format("this scene has no knob \"{}\"", key), suggest(key, keys));
   return success;
+}
+
+void keep_asked_for(std::vector<Knob>& knobs, const std::vector<std::string>& keys) {
+  std::erase_if(knobs, [&](const Knob& knob) {
+    return keys.empty() ? knob.by_request : std::find(keys.begin(), keys.end(), knob.key) == keys.end();
+  });
 }
 
 void write(const Study& study, const std::filesystem::path& folder) {
@@ -101,19 +110,19 @@ int accuracy_command(const AccuracyCommand& command) {
   use_threads(command.threads);
   const auto read = read_scene(command.scene);
   if (!read) return bad_input;
-  const std::vector<Knob> knobs = knobs_of(*read->parsed, *read->scene);
+  std::vector<Knob> knobs = knobs_of(*read->parsed, *read->scene, read->of_chart);
   if (command.list) return list_knobs(knobs);
   if (command.out.empty()) return complain("wale accuracy", "no place for the results", "add -o DIR");
   if (refuse_unknown(command.knobs, knobs) != success) return bad_input;
   try {
-    std::filesystem::create_directories(command.out);
-    open_part(command.out + "/accuracy.json");
-    drop_part(command.out + "/accuracy.json");
+    prepare_folder(command.out);
   } catch (const std::system_error& error) {
     return complain_unwritable(command.out, error);
   }
-  const StudyOptions options{command.knobs, command.times, progress_line(command.progress), &interrupt};
-  const Study done = study(SceneText(*read->source, read->sources), *read->parsed, *read->scene, options);
+  keep_asked_for(knobs, command.knobs);
+  const StudyOptions options{command.times, progress_line(command.progress), &interrupt};
+  const Study done = study(SceneText(*read->source, read->sources), read->scene->name, std::move(knobs),
+                           all_together(*read->parsed), options);
   if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\x1b[K");
   write(done, command.out);
   if (command.json)

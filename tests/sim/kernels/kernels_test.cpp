@@ -59,11 +59,11 @@ struct Answer {
 
 Answer ask(const EffectSpec& spec, const Fabric& fabric, InstructionSet set) {
   const Using use(set);
-  const Schedule tightening = 0.3;
+  const RestSchedules rest = 0.3;
   const State start = shaken_state(fabric, 0, 1);
   State at = shaken_state(fabric, 0.1, 2);
   shake(at.q, 2e-5, 4);
-  Parts parts{fabric, tightening, start};
+  Parts parts{fabric, rest, start};
   const auto effect = std::visit([&](const auto& of) { return make(of, parts); }, spec);
   Answer answer;
   answer.force = Points::Zero(3, at.q.cols());
