@@ -42,7 +42,10 @@ class Run {
 
   Outcome all() {
     const int stages = static_cast<int>(results_.scene.stages.size());
-    if (results_.snapshots.empty()) begin(0, at_rest(results_.scene.fabric));
+    if (results_.snapshots.empty()) {
+      const Beginning from = options_.begin.value_or(Beginning{0, at_rest(results_.scene.fabric)});
+      begin(from.stage, from.state);
+    }
     for (int stage = results_.snapshots.back().stage; stage < stages; ++stage) {
       if (results_.snapshots.back().stage < stage) begin(stage, results_.snapshots.back().state);
       const Outcome outcome = one(stage);

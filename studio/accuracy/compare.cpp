@@ -11,16 +11,10 @@
 namespace wale {
 namespace {
 
-constexpr double another_rest = 0.05;
-
 Errors unknown_errors() {
   Errors errors;
   errors.fill(std::numeric_limits<double>::quiet_NaN());
   return errors;
-}
-
-bool rests_apart(const Errors& error) {
-  return error[of_course_spacing] > another_rest || error[of_wale_spacing] > another_rest;
 }
 
 /// Trials that ran, of a ladder that has an order also only those that rest as the finest does.

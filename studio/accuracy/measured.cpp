@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "sim/results/moments.hpp"
-#include "sim/spline.hpp"
+#include "studio/accuracy/along_yarn.hpp"
 
 namespace wale {
 namespace {
@@ -16,17 +16,8 @@ constexpr int places_a_yarn = 400;
 
 /// Places at even shares of a yarn's knitted length, whatever its segments.
 void append_places(const Fabric& fabric, const Points& q, const Yarn& yarn, Points& places, Eigen::Index& next) {
-  std::vector<double> length{0};
-  for (int i = 0; i < yarn.segments; ++i)
-    length.push_back(length.back() + fabric.segment(yarn.first_segment + i).knitted);
-  int segment = 0;
-  for (int i = 0; i < places_a_yarn; ++i) {
-    const double at = length.back() * (i + 0.5) / places_a_yarn;
-    while (length[static_cast<std::size_t>(segment) + 1] < at) ++segment;
-    const double begin = length[static_cast<std::size_t>(segment)], end = length[static_cast<std::size_t>(segment) + 1];
-    const double s = (at - begin) / (end - begin);
-    places.col(next++) = combine(q, yarn.first_point + segment, basis(s).value);
-  }
+  const AlongYarn along(fabric, yarn);
+  for (int i = 0; i < places_a_yarn; ++i) places.col(next++) = along.at(q, (i + 0.5) / places_a_yarn).y;
 }
 
 Points places_of(const Results& results) {
@@ -105,6 +96,11 @@ Measured measured(const Results& results) {
     of.diameter = std::min(of.diameter, material.diameter);
   of.intact = results.topology.intact();
   return of;
+}
+
+bool rests_apart(const Errors& error) {
+  constexpr double most = 0.05;
+  return error[of_course_spacing] > most || error[of_wale_spacing] > most;
 }
 
 Errors difference(const Measured& run, const Measured& fine) {

@@ -31,6 +31,9 @@ constexpr std::size_t of_stress = 0, of_course_spacing = 3, of_wale_spacing = 4,
 /// One entry a reading: 0.01 is 1 %. NaN where one of two runs has no such number.
 using Errors = std::array<double, readings.size()>;
 
+/// Whether two runs that differ so much rest in different states: their relaxed spacings are more than 5 % apart.
+bool rests_apart(const Errors&);
+
 /// Curves are compared at the samples of `run`, by the share of the stage that is done: `fine` may have other samples
 /// and is linear between them. Fabrics of other sizes have no common positions.
 Errors difference(const Measured& run, const Measured& fine);

@@ -25,9 +25,10 @@ double greatest_stress(const Measured& of) {
 std::string row(const Ladder& ladder, const Trial& trial) {
   const Cost& cost = trial.cost;
   std::string text =
-      fmt::format("{},{},{:.9g},{:.6g},{:.6g},{},{},{:.6g},{},{}", quoted(ladder.key), quoted(trial.label), trial.size,
-                  cost.wall, cost.processor, cost.evaluations, cost.factorizations, cost.memory,
-                  trial.found ? static_cast<int>(trial.found->intact) : 0, static_cast<int>(trial.rests_elsewhere));
+      fmt::format("{},{},{:.9g},{:.6g},{:.6g},{},{},{:.6g},{},{},{}", quoted(ladder.key), quoted(trial.label),
+                  trial.size, cost.wall, cost.processor, cost.evaluations, cost.factorizations, cost.memory,
+                  trial.found ? static_cast<int>(trial.found->intact) : 0, static_cast<int>(trial.finds_another_rest),
+                  static_cast<int>(trial.rests_elsewhere));
   const Measured of = trial.found.value_or(Measured{});
   const auto known = [&](double value) { return number(trial.found ? value : unknown); };
   for (const double value : {greatest_stress(of), of.features.initial_stiffness, of.features.transition_strain,
@@ -42,7 +43,8 @@ std::string row(const Ladder& ladder, const Trial& trial) {
 
 std::string accuracy_csv(const Study& study) {
   std::string text =
-      "knob,value,size,wall_s,processor_s,evaluations,factorizations,memory_MB,intact,rests_elsewhere,"
+      "knob,value,size,wall_s,processor_s,evaluations,factorizations,memory_MB,intact,finds_another_rest,rests_"
+      "elsewhere,"
       "greatest_stress_Pa,initial_stiffness_Pa,transition_strain,course_spacing_m,wale_spacing_m,stitch_energy_J";
   for (const std::string_view reading : readings) text += fmt::format(",error_{}", reading);
   for (const std::string_view reading : readings) text += fmt::format(",own_error_{}", reading);

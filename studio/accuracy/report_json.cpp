@@ -36,6 +36,7 @@ Json trial_json(const Trial& trial) {
               {"evaluations", trial.cost.evaluations},
               {"factorizations", trial.cost.factorizations},
               {"memory_MB", trial.cost.memory},
+              {"finds_another_rest", trial.finds_another_rest},
               {"rests_elsewhere", trial.rests_elsewhere}};
   if (!trial.found) {
     object["failure"] = trial.failure;

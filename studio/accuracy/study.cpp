@@ -7,20 +7,37 @@
 #include <cmath>
 
 #include "sim/run.hpp"
+#include "studio/accuracy/common_rest.hpp"
 #include "studio/accuracy/compare.hpp"
 
 namespace wale {
 namespace {
 
-/// Runs every trial once that is asked for, and the scene as written only once for all knobs.
+/// Runs every trial that is asked for: as a whole for its cost, and then from the rest of the scene as written, which
+/// runs first and only once.
 class Trials {
  public:
   Trials(const SceneText& text, const StudyOptions& options, int of) : text_(text), options_(options), of_(of) {}
 
-  Trial run_once(const Knob& knob, const Rung& rung) {
-    if (options_.progress) options_.progress(done_, of_, fmt::format("{} {}", knob.key, rung.label));
+  void run_as_written() {
+    Rung rung{"as written", 0};
+    rung.as_written = true;
+    written_ = run_once("", rung);
+  }
+
+  Trial trial(const Knob& knob, const Rung& rung) {
+    Trial trial = rung.as_written ? *written_ : run_once(knob.key, rung);
+    trial.label = rung.label;
+    trial.size = rung.size;
+    return trial;
+  }
+
+  bool stopped() const { return options_.interrupt && options_.interrupt->load(); }
+
+ private:
+  Trial run_once(const std::string& knob, const Rung& rung) {
+    if (options_.progress) options_.progress(done_, of_, fmt::format("{} {}", knob, rung.label));
     ++done_;
-    if (rung.as_written && written_) return relabelled(*written_, rung);
     Trial trial{rung.label, rung.size, rung.as_written};
     Diagnostics say;
     const auto scene = text_.compile(rung.variant, say);
@@ -30,38 +47,46 @@ class Trials {
     }
     std::vector<Cost> costs;
     for (int time = 0; time < options_.times && !stopped() && trial.failure.empty(); ++time)
-      costs.push_back(run_scene(*scene, trial));
+      costs.push_back(run_whole(*scene, trial));
     if (!costs.empty()) trial.cost = median(std::move(costs));
-    if (rung.as_written && !stopped()) written_ = trial;
+    if (trial.found && !rung.as_written && !stopped()) run_from_common_rest(*scene, trial);
     return trial;
   }
 
-  bool stopped() const { return options_.interrupt && options_.interrupt->load(); }
-
- private:
-  static Trial relabelled(Trial trial, const Rung& rung) {
-    trial.label = rung.label;
-    trial.size = rung.size;
-    return trial;
-  }
-
-  Cost run_scene(const Scene& scene, Trial& trial) const {
+  Cost run_whole(const Scene& scene, Trial& trial) {
     Results results;
     results.scene = scene;
     Outcome outcome = Outcome::failed;
-    Cost cost = cost_of([&] { outcome = run(results, {.progress = {}, .save = {}, .interrupt = options_.interrupt}); });
+    Cost cost = cost_of([&] { outcome = run(results, options()); });
     cost.evaluations = results.effort.evaluations;
     cost.factorizations = results.effort.factorizations;
     if (outcome == Outcome::finished)
       trial.found = measured(results);
     else
       trial.failure = outcome == Outcome::interrupted ? "interrupted" : results.effort.failure;
+    if (trial.as_written) rest_ = rest_of(results);
     return cost;
   }
+
+  /// What the whole run found stays if this does not work out.
+  void run_from_common_rest(const Scene& scene, Trial& trial) const {
+    if (!rest_) return;
+    Results results;
+    results.scene = scene;
+    RunOptions from_rest = options();
+    from_rest.begin = begin_at(*rest_, scene);
+    if (!from_rest.begin || run(results, from_rest) != Outcome::finished) return;
+    const Measured alone = std::move(*trial.found);
+    trial.found = measured(results);
+    trial.finds_another_rest = rests_apart(difference(alone, *trial.found));
+  }
+
+  RunOptions options() const { return {.progress = {}, .save = {}, .interrupt = options_.interrupt}; }
 
   const SceneText& text_;
   const StudyOptions& options_;
   std::optional<Trial> written_;
+  std::optional<Rest> rest_;
   int of_, done_ = 0;
 };
 
@@ -70,15 +95,18 @@ class Trials {
 Study study(const SceneText& text, const std::string& name, std::vector<Knob> knobs, const Knob& together,
             const StudyOptions& options) {
   knobs.insert(knobs.begin(), together);  // an interrupted study has a reference first of all
-  int of = 0;
-  for (const Knob& knob : knobs) of += static_cast<int>(knob.rungs.size());
+  int of = 1;
+  for (const Knob& knob : knobs)
+    of += static_cast<int>(
+        std::count_if(knob.rungs.begin(), knob.rungs.end(), [](const Rung& rung) { return !rung.as_written; }));
 
   Study study{.scene = name, .threads = omp_get_max_threads(), .times = options.times, .reference = {}};
   Trials trials(text, options, of);
+  trials.run_as_written();
   for (const Knob& knob : knobs) {
     Ladder ladder{knob.key, knob.noun, knob.kind, knob.order};
     for (const Rung& rung : knob.rungs) {
-      Trial trial = trials.run_once(knob, rung);
+      Trial trial = trials.trial(knob, rung);
       if (trials.stopped()) break;
       ladder.trials.push_back(std::move(trial));
     }

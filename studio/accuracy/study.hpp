@@ -24,7 +24,9 @@ struct Trial {
   Errors error{};      ///< against the reference of the study
   Errors own_error{};  ///< against the finest of its knob (Richardson's estimate for that itself); of a choice,
                        ///< against the scene as written
-  bool rests_elsewhere = false;  ///< its relaxed spacings are more than 5 % off: another of several equilibria
+  bool finds_another_rest = false;  ///< left to itself it comes to rest in another of several equilibria than that of
+                                    ///< the scene as written, from which `found` begins
+  bool rests_elsewhere = false;     ///< `found` does not rest as the reference does
 };
 
 /// The trials of one knob, from coarse to fine.
