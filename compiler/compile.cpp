@@ -289,8 +289,13 @@ std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagn
   compiled.gauge.thickness = parsed->thickness > 0 ? parsed->thickness : 2 * diameter;
   const Knots ends = secured_ends(compiled.fabric);
   for (Stage& stage : parsed->stages) fill_in(stage, ends, places);
-  return Scene{parsed->name, std::move(compiled.fabric),   std::move(parsed->stages), std::move(compiled.gauge),
-               {},           std::move(compiled.crossings)};
+  return Scene{parsed->name,
+               parsed->accuracy,
+               std::move(compiled.fabric),
+               std::move(parsed->stages),
+               std::move(compiled.gauge),
+               {},
+               std::move(compiled.crossings)};
 }
 
 }  // namespace wale

@@ -201,6 +201,8 @@ struct Stage {
   double grip_stiffness = 1e6;      ///< k_t of the tethers of `hold` and `pull`, N/m²
   std::vector<EffectSpec> effects;  ///< what is not here is not simulated
   SolverSpec solver;
+  bool effects_open = false;  ///< of `effects`, those that cannot matter are to be left out before it runs
+  bool solver_open = false;   ///< nobody asked for this solver
 
   bool strains() const { return pull || deform; }
   /// Then the fabric does not lie as it relaxed.
@@ -236,6 +238,7 @@ struct Crossing {
 
 struct Scene {
   std::string name;
+  std::optional<double> accuracy;  ///< of the stress over its peak: settings are to be chosen for it before it runs
   Fabric fabric;
   std::vector<Stage> stages;
   Gauge gauge;

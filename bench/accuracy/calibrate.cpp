@@ -1,22 +1,25 @@
-/// Measures studio/accuracy/calibration_table.hpp and prints it: jersey, garter, rib and seed, three lengths of
-/// stitches, both directions, with each knob turned by itself.
+/// Measures studio/choice/calibration_table.hpp and prints it: jersey, garter, rib and seed, three lengths of stitches,
+/// both directions, each in many segments and finenesses, and compared with one that is much finer.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <map>
 
-#include "studio/accuracy/calibration.hpp"
-#include "studio/accuracy/study.hpp"
+#include "studio/accuracy/adjust.hpp"
+#include "studio/accuracy/common_rest.hpp"
+#include "studio/accuracy/convergence.hpp"
+#include "studio/accuracy/cost.hpp"
+#include "studio/accuracy/measured.hpp"
+#include "studio/accuracy/variant.hpp"
+#include "studio/choice/calibration.hpp"
 
 namespace wale {
 namespace {
 
-constexpr int segments = 24, samples = 24;
-constexpr double none = std::numeric_limits<double>::infinity();  // what a run without an answer is off
-constexpr double strain = 0.8, seconds = 8, tolerance = 0.01;
+constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double strain = 0.8, seconds = 8, friction_threshold = 0.15;
+constexpr int base = 24;  // segments with which a scene finds its rest, and whose cost is one
 const Material yarn;
 
 struct Case {
@@ -28,136 +31,152 @@ struct Case {
 std::string text_of(const Case& of) {
   return fmt::format(
       R"(scene: 1
-name: {0}
-fabric: {{pattern: {1}/patterns/{2}.yaml, wales: 2, courses: 2, periodic: true, stitch_length: {3} mm,
-  segments_per_stitch: {4}}}
+fabric: {{pattern: {0}/patterns/{1}.yaml, wales: 2, courses: 2, periodic: true, stitch_length: {2} mm}}
 effects: {{stretch: , bend: , contact: }}
 stages:
   - {{name: tighten, duration: 1 s, tighten: 100 %, samples: 4}}
   - {{name: relax, duration: 1 s, samples: 1, solver: {{quasi_static: {{tolerance: 1e-4}}}}}}
-  - name: pull
-    duration: {5} s
-    pull: {{along: {6}, to: {7}}}
-    samples: {8}
-    effects: {{friction: }}
-    solver: {{quasi_static: {{tolerance: {9}, of_load: {10}}}}}
+  - {{name: pull, duration: {3} s, pull: {{along: {4}, to: {5}}}, effects: {{friction: {{threshold: {6} m/s}}}}}}
 )",
-      of.name(), WALE_SOURCE_DIR, of.pattern, of.stitch_length, segments, seconds, of.direction, strain, samples,
-      tolerance / 2, tolerance);
+      WALE_SOURCE_DIR, of.pattern, of.stitch_length, seconds, of.direction, strain,
+      friction_threshold * strain / seconds * yarn.diameter);
 }
 
-struct Measurement {
-  std::vector<double> errors, costs;
+/// What one run gave.
+struct Ran {
+  std::optional<Measured> found;
+  double processor = 0;  // s
 };
 
-/// Measurements by knob and value, the values falling.
-using Table = std::map<std::string, std::map<double, Measurement, std::greater<>>>;
-
-/// A rung's size in the units of Calibration.
-double value_of(const std::string& knob, double size, const Case& of) {
-  if (knob == "segments") return size * of.stitch_length * 1e-3 / yarn.diameter;
-  if (knob == "tolerance") return size * tolerance;
-  if (knob == "load_step") return size * strain;
-  if (knob == "friction_threshold") return size / (strain / seconds * yarn.diameter);
-  return size;
-}
-
-/// From coarse to fine.
-std::vector<Calibrated> measured(const Ladder& ladder, const Case& of) {
-  const auto written =
-      std::find_if(ladder.trials.begin(), ladder.trials.end(), [](auto& trial) { return trial.as_written; });
-  std::vector<Calibrated> found;
-  for (const Trial& trial : ladder.trials) {
-    const bool lost = !trial.found || trial.rests_elsewhere || !std::isfinite(trial.own_error[of_stress]);
-    found.push_back({value_of(ladder.key, trial.size, of), lost ? none : trial.own_error[of_stress],
-                     trial.cost.processor / written->cost.processor});
+/// One case, and how it lies at rest.
+class Subject {
+ public:
+  explicit Subject(const Case& of)
+      : source_(*sources_.add(of.name() + ".yaml", text_of(of))), text_(source_, sources_) {
+    Results results;
+    results.scene = compile(base, {0.03, 0.01, strain / 24});
+    if (run(results, {.progress = {}, .save = {}}) == Outcome::finished) rest_ = rest_of(results);
   }
-  return found;
+
+  /// From the common rest.
+  Ran operator()(int segments, const Fineness& fineness) {
+    Results results;
+    results.scene = compile(segments, fineness);
+    RunOptions options{.progress = {}, .save = {}};
+    if (rest_) options.begin = begin_at(*rest_, results.scene);
+    Outcome outcome = Outcome::failed;
+    const Cost cost = cost_of([&] { outcome = run(results, options); });
+    if (outcome != Outcome::finished) return {std::nullopt, cost.processor};
+    return {measured(results), cost.processor};
+  }
+
+ private:
+  Scene compile(int segments, const Fineness& fineness) {
+    Variant variant;
+    variant.changes.segments_per_stitch = segments;
+    variant.adjust = [&](Scene& scene) {
+      scale_sampling(scene, fineness.sampling / Contact{}.sampling);
+      Stage& pull = scene.stages.back();
+      pull.samples = static_cast<int>(std::lround(strain / fineness.load_step));
+      pull.solver = QuasiStatic{.tolerance = fineness.tolerance / 2, .of_load = fineness.tolerance};
+    };
+    Diagnostics say;
+    return text_.compile(variant, say).value();
+  }
+
+  Sources sources_;
+  const Source& source_;
+  SceneText text_;
+  std::optional<Rest> rest_;
+};
+
+double error_of(const Ran& run, const Measured& reference) {
+  if (!run.found) return none;
+  const Errors error = difference(*run.found, reference);
+  return rests_apart(error) || !std::isfinite(error[of_stress]) ? none : error[of_stress];
 }
 
-/// Stitches of other lengths have other segments: at the same lengths of them, between those that ran, powers.
-std::vector<Calibrated> at_common_lengths(const std::vector<Calibrated>& ran) {
-  std::vector<Calibrated> found;
-  for (const double value : {1.1, 0.95, 0.8, 0.7, 0.6, 0.5, 0.42, 0.36, 0.3, 0.25})
-    for (std::size_t i = 1; i < ran.size(); ++i) {
-      const Calibrated &a = ran[i - 1], &b = ran[i];
-      if (value > a.value || value < b.value) continue;
-      const double share = std::log(value / a.value) / std::log(b.value / a.value);
-      const auto between = [share](double from, double to) {
-        return std::isinf(from) || std::isinf(to) ? none : from * std::pow(to / from, share);
-      };
-      found.push_back({value, between(a.error, b.error), between(a.cost, b.cost)});
-      break;
+/// By Fineness and by segments.
+using Costs = std::vector<std::vector<std::vector<double>>>;
+
+void measure(const Case& of, Calibration& calibration, Costs& costs) {
+  constexpr int fine = 48, finest = 64;
+  Subject subject(of);
+  const Fineness exact{0.0075, 1e-3, strain / 96};
+  const Ran near = subject(fine, exact), reference = subject(finest, exact);
+  Calibration::Scene scene{of.name(), of.stitch_length * 1e-3 / yarn.diameter, none, {}};
+  if (reference.found) scene.reference = error_left(1.0 / fine, 1.0 / finest, error_of(near, *reference.found), 2);
+  std::vector<std::vector<double>> times;
+  for (const Fineness& fineness : calibration.fineness) {
+    scene.errors.emplace_back();
+    times.emplace_back();
+    for (const int segments : calibration.segments) {
+      const Ran run = subject(segments, fineness);
+      scene.errors.back().push_back(reference.found ? error_of(run, *reference.found) : none);
+      times.back().push_back(run.processor);
     }
-  return found;
-}
-
-void add(Table& table, const Ladder& ladder, const Case& of) {
-  std::vector<Calibrated> found = measured(ladder, of);
-  if (ladder.key == "segments") found = at_common_lengths(found);
-  for (const Calibrated& each : found) {
-    table[ladder.key][each.value].errors.push_back(each.error);
-    table[ladder.key][each.value].costs.push_back(each.cost);
   }
+  const auto one = std::find(calibration.segments.begin(), calibration.segments.end(), base);
+  const double unit = times[0][static_cast<std::size_t>(one - calibration.segments.begin())];
+  for (std::size_t i = 0; i < times.size(); ++i)
+    for (std::size_t j = 0; j < times[i].size(); ++j) costs[i][j].push_back(times[i][j] / unit);
+  fmt::print(stderr, "{}: reference {:.2g} %\n", scene.name, 100 * scene.reference);
+  calibration.scenes.push_back(std::move(scene));
 }
 
-/// Of the sorted values the one below which `share` of them lie.
-double quantile(std::vector<double> values, double share) {
+double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
-  const auto at = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size()))) - 1;
-  return values[std::min(at, values.size() - 1)];
+  return values[values.size() / 2];
 }
 
-void print(const Table& table) {
-  for (const auto& [knob, values] : table) {
-    fmt::print("\ninline constexpr Calibrated {}[] = {{\n", knob == "segments" ? "segment_length" : knob);
-    for (const auto& [value, at] : values)
-      fmt::print("    {{{:.3g}, {:.2g}, {:.3g}}},  // median {:.2g}, of {}\n", value, quantile(at.errors, 0.9),
-                 quantile(at.costs, 0.5), quantile(at.errors, 0.5), at.errors.size());
-    fmt::print("}};\n");
-  }
+std::string number(double value) { return std::isinf(value) ? "none" : fmt::format("{:.3g}", value); }
+
+std::string list(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + number(value);
+  return "{" + text + "}";
 }
 
-/// False if the scene has no reference that its own finest runs agree on.
-bool measure(const Case& of, Table& table) {
-  Sources sources;
-  const Source* source = sources.add(of.name() + ".yaml", text_of(of));
-  Diagnostics say;
-  const auto parsed = parse_scene(*source, say);
-  const SceneText text(*source, sources);
-  const auto scene = text.compile({}, say);
-  std::vector<Knob> knobs = knobs_of(*parsed, *scene, true);
-  std::erase_if(knobs, [](const Knob& knob) {
-    constexpr std::string_view wanted[] = {"segments", "sampling", "tolerance", "load_step", "friction_threshold"};
-    return std::find(std::begin(wanted), std::end(wanted), knob.key) == std::end(wanted);
-  });
-  const Study done = study(text, of.name(), std::move(knobs), all_together(*parsed), {});
-  const double own = done.reference_error[of_stress];
-  const bool valid = own < 0.05;
-  fmt::print(stderr, "{}: reference {:.2g} %{}\n", of.name(), 100 * own, valid ? "" : ", left out");
-  if (!valid) return false;
-  for (const Ladder& ladder : done.ladders)
-    if (ladder.key != "together") add(table, ladder, of);
-  return true;
+std::string lists(const std::vector<std::vector<double>>& rows) {
+  std::string text;
+  for (const std::vector<double>& row : rows) text += list(row) + ",\n";
+  return "{" + text + "}";
+}
+
+void print(const Calibration& of) {
+  fmt::print(
+      "/// Printed by bench/accuracy/calibrate.cpp: measure anew rather than edit. `none`: no answer, or another "
+      "rest.\n"
+      "#pragma once\n\n#include <limits>\n\n#include \"studio/choice/calibration.hpp\"\n\nnamespace wale {{\n\n"
+      "inline Calibration measured_calibration() {{\n"
+      "constexpr double none = std::numeric_limits<double>::infinity();\n"
+      "Calibration of;\nof.friction_threshold = {:g};\nof.segments = {};\nof.fineness = {{\n",
+      of.friction_threshold, list({of.segments.begin(), of.segments.end()}));
+  for (const Fineness& each : of.fineness)
+    fmt::print("{{{:.3g}, {:.3g}, {:.3g}}},\n", each.sampling, each.tolerance, each.load_step);
+  fmt::print("}};\nof.costs = {};\nof.scenes = {{\n", lists(of.costs));
+  for (const Calibration::Scene& scene : of.scenes)
+    fmt::print("{{\"{}\", {:.3g}, {}, {}}},\n", scene.name, scene.stitch_length, number(scene.reference),
+               lists(scene.errors));
+  fmt::print("}};\nreturn of;\n}}\n\n}}  // namespace wale\n");
 }
 
 int calibrate() {
-  Table table;
-  int used = 0, of = 0;
+  Calibration calibration;
+  calibration.friction_threshold = friction_threshold;
+  calibration.segments = {12, 16, 20, 24, 28, 32, 40, 48};
+  for (const double steps : {12, 24, 48})
+    for (const auto& [sampling, tolerance] : {std::pair(0.03, 0.01), std::pair(0.015, 0.003)})
+      calibration.fineness.push_back({sampling, tolerance, strain / steps});
+  Costs costs(calibration.fineness.size(), std::vector<std::vector<double>>(calibration.segments.size()));
   for (const char* pattern : {"jersey", "garter", "rib_1x1", "seed"})
     for (const char* direction : {"wale", "course"})
-      for (const double length : {6.2, 7.23, 9.0}) {
-        used += measure({pattern, direction, length}, table) ? 1 : 0;
-        ++of;
-      }
-  fmt::print(
-      "/// Measured by bench/accuracy/calibrate.cpp on {} scenes ({} of them without a reference that is known to 5 %, "
-      "and\n"
-      "/// left out); see calibration.hpp.\n#pragma once\n\n#include \"studio/accuracy/calibration.hpp\"\n\n"
-      "namespace wale::calibrated {{\n",
-      of, of - used);
-  print(table);
-  fmt::print("\n}}  // namespace wale::calibrated\n");
+      for (const double length : {6.2, 7.23, 9.0}) measure({pattern, direction, length}, calibration, costs);
+  for (const auto& row : costs) {
+    calibration.costs.emplace_back();
+    for (const std::vector<double>& each : row) calibration.costs.back().push_back(median(each));
+  }
+  print(calibration);
   return 0;
 }
 

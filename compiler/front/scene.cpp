@@ -40,17 +40,22 @@ std::optional<ParsedScene> read_scene(const Source& source, Diagnostics& say) {
   const std::size_t errors_before = say.error_count();
   const std::optional<YamlNode> root = parse_yaml(source, say);
   if (!root || !is_scene(*root, say)) return std::nullopt;
-  const Fields fields(*root, "a scene", {"scene", "name", "fabric", "gauge", "effects", "stages", "solver"}, say);
+  const Fields fields(*root, "a scene", {"scene", "name", "accuracy", "fabric", "gauge", "effects", "stages", "solver"},
+                      say);
   ParsedScene scene;
   scene.name = std::filesystem::path(source.name).stem().string();
   if (const YamlNode* name = fields.find("name")) scene.name = read_text(*name, "the name", say).value_or(scene.name);
+  if (const YamlNode* accuracy = fields.find("accuracy"))
+    if (const auto text = read_text(*accuracy, "the accuracy", say))
+      scene.accuracy = read_accuracy(*text, accuracy->span, say);
   if (const YamlNode* fabric = fields.require("fabric", "add `fabric: {pattern: ../patterns/jersey.yaml}`")) {
     read_fabric(*fabric, scene, say);
   }
   if (const YamlNode* gauge = fields.find("gauge")) read_gauge(*gauge, scene, say);
   Stage common;
   if (const YamlNode* effects = fields.find("effects"))
-    read_effects(*effects, scene.overrides.periodic, common.effects, scene.mentions, say);
+    read_effects(*effects, scene.overrides.periodic, common, scene.mentions, say);
+  common.solver_open = !fields.find("solver");
   if (const YamlNode* solver = fields.find("solver"))
     common.solver = read_solver(*solver, scene.overrides.periodic, say);
   scene.stages = read_stages(*root, common, scene.overrides.periodic, scene.mentions, say);
@@ -59,6 +64,10 @@ std::optional<ParsedScene> read_scene(const Source& source, Diagnostics& say) {
 }
 
 }  // namespace
+
+std::optional<double> read_accuracy(std::string_view text, Span span, Diagnostics& say) {
+  return read_quantity(text, span, "the accuracy", dimensions::ratio, {1e-4, 0.5}, say);
+}
 
 std::optional<ParsedScene> parse_scene(const Source& source, Diagnostics& say) {
   const std::size_t before = say.all().size();

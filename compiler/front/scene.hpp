@@ -40,10 +40,14 @@ struct ParsedScene {
   KnitoutOptions knitout;                ///< of a knitout file
   std::vector<PatternKey> pattern_keys;  ///< those given, in the order read
   int segments_per_stitch = 12;
-  double thickness = 0;  ///< 2r of sigma = F / (2r S_R), m; 0: twice the contact diameter
+  std::optional<double> accuracy;  ///< see Scene
+  double thickness = 0;            ///< 2r of sigma = F / (2r S_R), m; 0: twice the contact diameter
   std::vector<Stage> stages;
   Mentions mentions;
 };
+
+/// An accuracy as a scene or a command line gives it: "1 %". Nothing if an error was reported.
+std::optional<double> read_accuracy(std::string_view text, Span, Diagnostics&);
 
 /// Nothing if an error was reported.
 std::optional<ParsedScene> parse_scene(const Source&, Diagnostics&);

@@ -223,14 +223,38 @@ void refuse_in_periodic(const Fields& fields, Diagnostics& say) {
                 std::string(hint));
 }
 
+/// Those among which a choice is left open, with their defaults, in the order of effect_readers.
+std::vector<EffectSpec> candidates(bool periodic) {
+  std::vector<EffectSpec> all;
+  all.emplace_back(Stretch{});
+  all.emplace_back(Bend{});
+  if (!periodic) all.emplace_back(Gravity{});
+  all.emplace_back(Drag{});
+  all.emplace_back(Contact{});
+  all.emplace_back(Friction{});
+  if (!periodic) all.emplace_back(Knots{});
+  return all;
+}
+
+void open_choice(Stage& stage, bool periodic) {
+  stage.effects_open = true;
+  for (EffectSpec& candidate : candidates(periodic)) {
+    const auto is_same = [&](const EffectSpec& one) { return one.index() == candidate.index(); };
+    if (std::none_of(stage.effects.begin(), stage.effects.end(), is_same))
+      stage.effects.push_back(std::move(candidate));
+  }
+}
+
 }  // namespace
 
-void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& effects, Mentions& mentions,
-                  Diagnostics& say) {
-  std::vector<std::string_view> keys;
+void read_effects(const YamlNode& node, bool periodic, Stage& stage, Mentions& mentions, Diagnostics& say) {
+  if (node.kind == YamlNode::Kind::scalar && node.text == "auto") return open_choice(stage, periodic);
+  std::vector<EffectSpec>& effects = stage.effects;
+  std::vector<std::string_view> keys{"auto"};
   for (const EffectReader& reader : effect_readers) keys.push_back(reader.key);
   const Fields fields(node, "the effects", keys, say);
   if (periodic) refuse_in_periodic(fields, say);
+  if (fields.find("auto")) open_choice(stage, periodic);
   for (const EffectReader& reader : effect_readers) {
     const YamlNode* given = fields.find(reader.key);
     if (!given) continue;

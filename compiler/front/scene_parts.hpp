@@ -12,9 +12,10 @@ namespace wale {
 
 /// `fabric`: the pattern, and what is asked of it.
 void read_fabric(const YamlNode&, ParsedScene&, Diagnostics&);
-/// Adds what `node` names to `effects`; one that is there already is replaced. Of a periodic fabric those are refused
-/// that act on ends or need something to hold it.
-void read_effects(const YamlNode& node, bool periodic, std::vector<EffectSpec>& effects, Mentions&, Diagnostics&);
+/// Adds what `node` names to the stage's effects; one that is there already is replaced. `auto`, alone or among them,
+/// adds those that may matter, and leaves the choice open. Of a periodic fabric those are refused that act on ends or
+/// need something to hold it.
+void read_effects(const YamlNode& node, bool periodic, Stage&, Mentions&, Diagnostics&);
 /// `obstacle`: one body, or a list of them; at least one.
 std::vector<EffectSpec> read_obstacles(const YamlNode&, Mentions&, Diagnostics&);
 /// `shrink`: which yarn by how much, or a list of that.

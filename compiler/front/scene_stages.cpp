@@ -53,10 +53,12 @@ class StageReader {
       const auto value = read_quantity(*grip, "the grip stiffness", dimensions::foundation, {1e-6, 1e12}, say_);
       stage_.grip_stiffness = value.value_or(stage_.grip_stiffness);
     }
-    if (const YamlNode* effects = fields_.find("effects"))
-      read_effects(*effects, periodic_, stage_.effects, mentions_, say_);
+    if (const YamlNode* effects = fields_.find("effects")) read_effects(*effects, periodic_, stage_, mentions_, say_);
     for (EffectSpec& effect : stage_.effects) last(stage_.duration, effect);
-    if (const YamlNode* solver = fields_.find("solver")) stage_.solver = read_solver(*solver, periodic_, say_);
+    if (const YamlNode* solver = fields_.find("solver")) {
+      stage_.solver = read_solver(*solver, periodic_, say_);
+      stage_.solver_open = false;
+    }
     check_sense();
     check_suits_fabric();
     return stage_;

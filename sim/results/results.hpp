@@ -1,6 +1,7 @@
 /// What a run leaves behind: one schema for every writer.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,7 @@ struct Text {
 struct Manifest {
   std::string version, host, when;
   int threads = 1;
+  double accuracy = 0;        ///< that was asked for, of the stress over its peak; 0: settings as written
   std::vector<Text> sources;  ///< the scene first, then what it read
 };
 
@@ -65,7 +67,8 @@ struct Results {
   Sizes relaxed;
   Effort effort;
   Topology topology;
-  long contact_samples = 0;  ///< beads in all yarns
+  std::optional<double> estimated_error;  ///< of the same; by a second solution, if there was one
+  long contact_samples = 0;               ///< beads in all yarns
   std::vector<std::string> warnings;
   bool complete = false;
 };

@@ -61,6 +61,12 @@ Json balance(const Results& results) {
   return stages;
 }
 
+Json accuracy(const Results& results) {
+  const double asked = results.manifest.accuracy;
+  return {{"asked", asked > 0 ? Json(asked) : Json()},
+          {"estimated_error", results.estimated_error ? Json(*results.estimated_error) : Json()}};
+}
+
 Json sizes(const Sizes& relaxed) {
   return {{"course_spacing_m", relaxed.course_spacing},
           {"wale_spacing_m", relaxed.wale_spacing},
@@ -95,6 +101,7 @@ std::string summary_json(const Results& results) {
                   {"wall_seconds", wall_seconds(results)},
                   {"solver", solver(results.effort)},
                   {"balance", balance(results)},
+                  {"accuracy", accuracy(results)},
                   {"sizes", sizes(results.relaxed)},
                   {"curve", curve(results)},
                   {"topology",

@@ -51,41 +51,48 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-std::optional<Results> begin_run(const std::string& scene_path) {
-  Sources sources;
-  const Source* source = read_or_complain(sources, scene_path);
+std::optional<Session> begin_run(const std::string& scene_path, std::optional<double> accuracy) {
+  Session session;
+  session.sources = std::make_unique<Sources>();
+  const Source* source = read_or_complain(*session.sources, scene_path);
   if (!source || is_knitout(*source)) return {};
   Diagnostics say;
-  std::optional<Scene> scene;
-  const double seconds = seconds_of([&] { scene = compile_scene(*source, sources, say); });
+  std::optional<Settled> settled;
+  const double seconds = seconds_of([&] { settled = settle(session.text(), accuracy, say); });
   print_all(say);
-  if (!scene || say.failed()) return {};
+  if (!settled || say.failed()) return {};
 
-  Results results;
-  results.scene = std::move(*scene);
-  results.manifest = manifest_of(sources);
+  session.settled = std::move(*settled);
+  Results& results = session.results;
+  results.scene = std::move(session.settled.scene);
+  results.manifest = manifest_of(*session.sources);
+  if (session.settled.resolution) results.manifest.accuracy = session.settled.accuracy;
   for (const Diagnostic& diagnostic : say.all()) results.warnings.push_back(diagnostic.message);
   results.phases.push_back({"compile", seconds});
-  return results;
+  return session;
 }
 
-std::optional<Results> resume_run(const std::string& results_path) {
-  Results results = read_hdf5(results_path);
-  Sources sources;
-  for (const Text& text : results.manifest.sources) sources.add(text.name, text.text);
+std::optional<Session> resume_run(const std::string& results_path) {
+  Session session;
+  session.sources = std::make_unique<Sources>();
+  Results& results = session.results = read_hdf5(results_path);
+  for (const Text& text : results.manifest.sources) session.sources->add(text.name, text.text);
+  const double asked = results.manifest.accuracy;
   Diagnostics say;
-  std::optional<Scene> scene;
-  if (!sources.all().empty()) scene = compile_scene(sources.all().front(), sources, say);
-  if (!scene || !same_fabric(scene->fabric, results.scene.fabric)) {
+  std::optional<Settled> settled;
+  if (!session.sources->all().empty())
+    settled = settle(session.text(), asked > 0 ? std::optional(asked) : std::nullopt, say);
+  if (!settled || !same_fabric(settled->scene.fabric, results.scene.fabric)) {
     print_all(say);
     complain(results_path, "the scene stored here no longer compiles to the fabric stored here",
              "begin anew with `wale run SCENE -o DIR`");
     return {};
   }
-  scene->fabric = std::move(results.scene.fabric);
-  results.scene = std::move(*scene);
+  session.settled = std::move(*settled);
+  session.settled.scene.fabric = std::move(results.scene.fabric);
+  results.scene = std::move(session.settled.scene);
   results.manifest.threads = omp_get_max_threads();
-  return results;
+  return session;
 }
 
 }  // namespace wale

@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "compiler/codes.hpp"
+#include "studio/choice/report.hpp"
 #include "studio/cli/commands.hpp"
 #include "studio/cli/complain.hpp"
 #include "studio/cli/exit_code.hpp"
 #include "studio/cli/report.hpp"
+#include "studio/cli/session.hpp"
 
 namespace wale {
 namespace {
@@ -28,6 +30,24 @@ int explain(const std::string& code, bool json) {
   return success;
 }
 
+/// Both what was decided and by what numbers, and nothing run.
+int explain_scene(const std::string& path, bool json) {
+  const auto session = begin_run(path, std::nullopt);
+  if (!session) return bad_input;
+  const Settled& settled = session->settled;
+  if (json) {
+    fmt::print("{}", choices_json(settled, std::nullopt));
+    return success;
+  }
+  const Fabric& fabric = session->results.scene.fabric;
+  fmt::print("{}", words_of(scales_of(fabric, settled.segments)));
+  const std::string words = words_of(settled);
+  fmt::print("{}", words.empty() ? "Nothing is left open: there is no `accuracy:` and no `effects: auto`\n" : words);
+  return success;
+}
+
+bool names_a_scene(const std::string& word) { return word.ends_with(".yaml") || word.ends_with(".yml"); }
+
 int list(bool json) {
   nlohmann::ordered_json codes = nlohmann::ordered_json::array();
   for (const CodeInfo& info : code_table) {
@@ -43,10 +63,17 @@ int list(bool json) {
 void add_explain(CLI::App& app, int& exit_code) {
   auto code = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("explain", "Says what a diagnostic means; without CODE, lists all");
-  command->add_option("CODE", *code, "As printed in brackets, like C003");
+  CLI::App* command = app.add_subcommand(
+      "explain", "Says what a diagnostic means, or what a scene leaves to wale and how it is decided");
+  command->add_option("CODE|SCENE", *code,
+                      "As printed in brackets, like C003, or a scene file; without, lists all codes");
   command->add_flag("--json", *json, "Print one JSON object");
-  command->callback([=, &exit_code] { exit_code = code->empty() ? list(*json) : explain(*code, *json); });
+  command->callback([=, &exit_code] {
+    if (code->empty())
+      exit_code = list(*json);
+    else
+      exit_code = names_a_scene(*code) ? explain_scene(*code, *json) : explain(*code, *json);
+  });
 }
 
 }  // namespace wale

@@ -5,13 +5,17 @@
 #include <memory>
 #include <optional>
 
+#include "compiler/front/scene.hpp"
+#include "sim/results/file.hpp"
 #include "sim/results/summary.hpp"
+#include "studio/choice/report.hpp"
 #include "studio/cli/closing.hpp"
 #include "studio/cli/commands.hpp"
 #include "studio/cli/complain.hpp"
 #include "studio/cli/exit_code.hpp"
 #include "studio/cli/interrupt.hpp"
 #include "studio/cli/progress_bar.hpp"
+#include "studio/cli/report.hpp"
 #include "studio/cli/run_folder.hpp"
 #include "studio/cli/session.hpp"
 
@@ -24,13 +28,15 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds between_saves{1};
 
 struct RunCommand {
-  std::string scene, out, resume;
+  std::string scene, out, resume, accuracy;
   bool progress = false, json = false;
   int threads = 0;
 };
 
-Outcome simulate(Results& results, const std::filesystem::path& folder, bool progress,
-                 const std::atomic<bool>& interrupt) {
+/// The run itself, and what was left to be tried after it.
+Outcome simulate(Session& session, const std::filesystem::path& folder, bool progress,
+                 const std::atomic<bool>& interrupt, std::optional<SecondLook>& second) {
+  Results& results = session.results;
   ProgressBar bar(progress);
   double writing = 0;
   RunOptions options;
@@ -45,31 +51,58 @@ Outcome simulate(Results& results, const std::filesystem::path& folder, bool pro
   const Outcome outcome = run(results, options);
   if (outcome != Outcome::interrupted) writing += seconds_of([&] { write_pictures(results, folder); });
   results.phases.push_back({"write", writing});
+  if (outcome == Outcome::finished && wants_second_look(session.settled)) {
+    second = look_again(session.text(), session.settled, results, options);
+    results.estimated_error = second->error;
+    results.phases.push_back({"check", second->seconds});
+  }
+  bar.clear();
   write_tables(results, folder);
   return outcome;
+}
+
+std::optional<double> accuracy_of(const std::string& text) {
+  Sources sources;
+  const Source* source = sources.add("--accuracy", text);
+  Diagnostics say;
+  const auto accuracy = read_accuracy(text, {source, 0, static_cast<std::uint32_t>(text.size())}, say);
+  print_all(say);
+  return accuracy;
 }
 
 int run_command(const RunCommand& command) {
   const bool resuming = !command.resume.empty();
   if (resuming == !command.scene.empty()) return complain("wale run", "a scene or --resume is wanted, one of the two");
+  if (resuming && !command.accuracy.empty())
+    return complain("wale run", "--resume goes on as it began", "leave out --accuracy");
   if (resuming && !command.out.empty()) return complain("wale run", "--resume writes where it reads: leave out -o");
   if (!resuming && command.out.empty()) return complain("wale run", "no place for the results", "add -o DIR");
   const std::atomic<bool>& interrupt = catch_interrupts();
   use_threads(command.threads);
   const std::filesystem::path folder = resuming ? command.resume : command.out;
-  std::optional<Results> results = resuming ? resume_run((folder / results_name).string()) : begin_run(command.scene);
-  if (!results) return bad_input;
+  std::optional<double> accuracy;
+  if (!command.accuracy.empty() && !(accuracy = accuracy_of(command.accuracy))) return bad_input;
+  std::optional<Session> session =
+      resuming ? resume_run((folder / results_name).string()) : begin_run(command.scene, accuracy);
+  if (!session) return bad_input;
+  const Results& results = session->results;
   try {
     prepare_folder(folder);
   } catch (const std::system_error& error) {
     return complain_unwritable(folder.string(), error);
   }
-  const Outcome outcome = simulate(*results, folder, command.progress, interrupt);
-  if (command.json)
-    fmt::print("{}", summary_json(*results));
-  else
-    fmt::print("{}", closing_words(*results, folder.string()));
-  return tell_outcome(*results, outcome, folder.string());
+  if (!command.json) fmt::print("{}", words_of(session->settled));
+  std::optional<SecondLook> second;
+  const Outcome outcome = simulate(*session, folder, command.progress, interrupt, second);
+  if (leaves_open(session->settled))
+    write_file((folder / "choices.json").string(), choices_json(session->settled, second));
+  if (command.json) {
+    fmt::print("{}", summary_json(results));
+  } else {
+    fmt::print("{}", closing_words(results, folder.string()));
+    if (second) fmt::print("{}", words_of(*second, session->settled));
+  }
+  return tell_outcome(results, outcome, folder.string());
 }
 
 }  // namespace
@@ -79,6 +112,8 @@ void add_run(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Runs a scene: compile, tighten, relax, pull");
   command->add_option("SCENE", options->scene, "A scene file");
   command->add_option("-o,--out", options->out, "The folder for the results");
+  command->add_option("--accuracy", options->accuracy,
+                      "Choose segments, sampling and tolerances for this error of the stress over its peak, as in 1%");
   command->add_option("--resume", options->resume, "Go on from the last snapshot in this folder");
   command->add_option("--threads", options->threads, "Threads to use; as many as the machine offers if not given")
       ->check(CLI::Range(1, 1024));

@@ -1,0 +1,135 @@
+/// Whether scenes that no calibration has seen are as accurate as asked: each is run with `--accuracy`, and again from
+/// its own rest in much finer settings. Prints a Markdown table; see docs/accuracy.md.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studio/accuracy/adjust.hpp"
+#include "studio/accuracy/common_rest.hpp"
+#include "studio/accuracy/measured.hpp"
+#include "studio/choice/second_look.hpp"
+
+namespace wale {
+namespace {
+
+struct Case {
+  std::string name, fabric, pull;  // `fabric`: more keys of `fabric`; `pull`: the key of the last stage
+  std::string friction = "friction: ";
+};
+
+const std::vector<Case> cases{
+    {"moss, wale", "pattern: patterns/moss.yaml, wales: 4, courses: 4", "pull: {along: wale, to: 70 %}"},
+    {"basket 3x3, course", "pattern: patterns/basket.yaml, wales: 6, courses: 6", "pull: {along: course, to: 70 %}"},
+    {"rib 2x2, wale", "pattern: patterns/rib_2x2.yaml, wales: 4, courses: 2", "pull: {along: wale, to: 50 %}"},
+    {"rib 2x2, course", "pattern: patterns/rib_2x2.yaml, wales: 4, courses: 2", "pull: {along: course, to: 150 %}"},
+    {"jersey 6.7 mm, wale", "pattern: patterns/jersey.yaml, wales: 1, courses: 1, stitch_length: 6.7 mm",
+     "pull: {along: wale, to: 100 %}"},
+    {"garter 8 mm, course", "pattern: patterns/garter.yaml, wales: 2, courses: 2, stitch_length: 8 mm",
+     "pull: {along: course, to: 60 %}"},
+    {"jersey of stiff yarn, course",
+     "pattern: patterns/jersey.yaml, wales: 2, courses: 2, yarn: {bending_rigidity: 6e-8 N m^2}",
+     "pull: {along: course, to: 80 %}"},
+    {"seed of soft contact, wale",
+     "pattern: patterns/seed.yaml, wales: 2, courses: 2, yarn: {contact: {law: barrier, stiffness: 75 N/m}}",
+     "pull: {along: wale, to: 80 %}"},
+    {"garter of elastic yarn, wale",
+     "pattern: patterns/garter.yaml, wales: 2, courses: 2, yarn: {axial_stiffness: 15 N}",
+     "pull: {along: wale, to: 120 %}"},
+    {"jersey of thin yarn, wale",
+     "pattern: patterns/jersey.yaml, wales: 2, courses: 2, stitch_length: 5 mm, yarn: {contact_diameter: 0.35 mm}",
+     "pull: {along: wale, to: 60 %}"},
+    {"jersey, slippery, both ways", "pattern: patterns/jersey.yaml, wales: 2, courses: 2",
+     "deform: {wale: 40 %, course: 40 %, shear: held}", "friction: {coefficient: 0.1}"},
+    {"rib 1x1, rough, course", "pattern: patterns/rib_1x1.yaml, wales: 2, courses: 2",
+     "pull: {along: course, to: 100 %}", "friction: {coefficient: 0.5}"},
+    {"garter there and back, course", "pattern: patterns/garter.yaml, wales: 2, courses: 2",
+     "pull: {along: course, to: [40 %, 0 %, 40 %]}"},
+    {"jersey without friction, wale", "pattern: patterns/jersey.yaml, wales: 2, courses: 2",
+     "pull: {along: wale, to: 80 %}", "stretch: "},
+};
+
+std::string text_of(const Case& of) {
+  return fmt::format(R"(scene: 1
+name: {}
+fabric: {{periodic: true, {}}}
+effects: {{stretch: , bend: , contact: }}
+stages:
+  - {{name: tighten, duration: 1 s, tighten: 100 %, samples: 4}}
+  - {{name: relax, duration: 1 s, samples: 1}}
+  - {{name: pull, duration: 5 s, samples: 20, {}, effects: {{{}}}}}
+)",
+                     of.name, of.fabric, of.pull, of.friction);
+}
+
+/// Half the segments' length and more, all else finer still.
+std::optional<Scene> finer(const SceneText& text, const Settled& settled) {
+  auto scene = in_other_segments(text, settled, std::max(48, 2 * settled.segments));
+  if (!scene) return scene;
+  scale_sampling(*scene, 0.0075 / settled.resolution->fineness.sampling);
+  scale_tolerance(*scene, StageKind::strained, 0.001 / settled.resolution->fineness.tolerance);
+  scale_samples(*scene, std::max(2, 4 / settled.resolution->samples_times));
+  for_each_effect<Friction>(
+      *scene, [&](Friction& friction) { friction.threshold *= 0.02 / settled.resolution->friction_threshold; });
+  return scene;
+}
+
+std::optional<Measured> run_from(const std::optional<Rest>& rest, const Scene& scene) {
+  Results results;
+  results.scene = scene;
+  RunOptions options{.progress = {}, .save = {}};
+  if (rest) options.begin = begin_at(*rest, scene);
+  if (run(results, options) != Outcome::finished) return std::nullopt;
+  return measured(results);
+}
+
+/// One line of the table; whether it is a hit, if that can be said.
+std::optional<bool> try_case(const Case& of, double asked) {
+  Sources sources;
+  const Source* source = sources.add(WALE_SOURCE_DIR "/scene.yaml", text_of(of));
+  const SceneText text(*source, sources);
+  Diagnostics say;
+  auto settled = settle(text, asked, say);
+  for (const Diagnostic& each : say.all()) fmt::print(stderr, "{}\n", print(each));
+  if (!settled) return std::nullopt;
+  Results results;
+  results.scene = settled->scene;
+  if (run(results, {.progress = {}, .save = {}}) != Outcome::finished) {
+    fmt::print("| {} | {} | failed: {} |\n", of.name, settled->segments, results.effort.failure);
+    return false;
+  }
+  const SecondLook second = look_again(text, *settled, results, {.progress = {}, .save = {}});
+  const auto fine = finer(text, *settled);
+  const auto truth = fine ? run_from(rest_of(results), *fine) : std::nullopt;
+  const Errors error = truth ? difference(measured(results), *truth) : Errors{};
+  double seconds = 0;
+  for (const Phase& phase : results.phases) seconds += phase.seconds;
+  const std::string estimated = second.error ? fmt::format("{:.2g}", 100 * *second.error) : second.failure;
+  const std::string real = !truth               ? "no finer answer"
+                           : rests_apart(error) ? fmt::format("rests elsewhere, {:.2g}", 100 * error[of_stress])
+                                                : fmt::format("{:.2g}", 100 * error[of_stress]);
+  const bool hit = truth && error[of_stress] <= asked;
+  fmt::print("| {} | {} | {:.2g} | {} | {} | {} | {:.1f} + {:.1f} |\n", of.name, settled->segments,
+             100 * settled->resolution->expected, estimated, real, hit ? "yes" : "**no**", seconds, second.seconds);
+  std::fflush(stdout);
+  if (!truth) return std::nullopt;
+  return hit;
+}
+
+int try_all(double asked) {
+  fmt::print("| scene, {:g} % asked | segments | expected % | estimated % | found % | held | seconds |\n|{}\n",
+             100 * asked, "---|---|---|---|---|---|---|");
+  int hits = 0, known = 0;
+  for (const Case& each : cases)
+    if (const auto hit = try_case(each, asked)) {
+      ++known;
+      hits += *hit;
+    }
+  fmt::print("\n{} of {}\n", hits, known);
+  return 0;
+}
+
+}  // namespace
+}  // namespace wale
+
+int main(int count, char** words) { return wale::try_all(count > 1 ? std::stod(words[1]) / 100 : 0.01); }
