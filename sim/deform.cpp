@@ -34,6 +34,19 @@ Schedule strain_of(const Pull& pull, double duration) {
   return strain_of(alone, alone.wale, duration);
 }
 
+std::vector<double> turns_of(const Stage& stage) {
+  if (!stage.strains()) return {};
+  const Deform deform = deform_of(stage);
+  std::vector<double> times;
+  for (const Deform::Part* part : {&deform.wale, &deform.course, &deform.shear}) {
+    if (part->how != Deform::How::driven) continue;
+    const Schedule strain = strain_of(deform, *part, stage.duration);
+    for (const Schedule::Knot& knot : strain.knots()) times.push_back(knot.t);
+    break;  // all parts turn together
+  }
+  return times;
+}
+
 Deform deform_of(const Stage& stage) {
   if (stage.deform) return *stage.deform;
   Deform deform;

@@ -1,6 +1,8 @@
 /// How a stage strains a fabric, by time.
 #pragma once
 
+#include <vector>
+
 #include "sim/scene.hpp"
 
 namespace wale {
@@ -12,6 +14,9 @@ Schedule strain_of(const Pull&, double duration);
 /// The strain of a driven `part` of `deform`. All parts reach their n-th strains at the same time; the point of the
 /// three strains moves at constant speed, so that each leg takes its share of the whole way.
 Schedule strain_of(const Deform& deform, const Deform::Part& part, double duration);
+
+/// Times at which the strains of a stage turn, and at its end, s; nothing if it is not strained.
+std::vector<double> turns_of(const Stage&);
 
 /// What a stage does to the periods of a periodic fabric: what it says, or else what its pull means (that direction
 /// driven, all else free), or that it holds them; without any of these they are free.

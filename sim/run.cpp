@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/clasps.hpp"
+#include "sim/deform.hpp"
 #include "sim/effects/beads.hpp"
 #include "sim/mount.hpp"
 #include "sim/results/curves.hpp"
@@ -115,7 +116,9 @@ class Run {
       const StageSetup setup(results_.scene, stage, start, rest_lengths_before(results_.scene, index), results_.relaxed,
                              travels_to(index));
       const auto begun = std::chrono::steady_clock::now();
-      const Outcome outcome = until(index, setup, stage.duration * sample / stage.samples, state);
+      Outcome outcome = Outcome::finished;
+      for (const double stop : stops(stage, state.t, stage.duration * sample / stage.samples))
+        if (outcome == Outcome::finished) outcome = until(index, setup, stop, state);
       spend(stage.name, begun);
       const bool moved = state.t > results_.snapshots.back().state.t;
       if (outcome == Outcome::interrupted || (outcome == Outcome::failed && moved))
@@ -126,6 +129,16 @@ class Run {
       if (options_.save) options_.save(results_);
     }
     return Outcome::finished;
+  }
+
+  /// Where strains turn on the way, and where it ends: a turn that were stepped over would not be reached.
+  static std::vector<double> stops(const Stage& stage, double from, double to) {
+    const double near = 1e-9 * stage.duration;
+    std::vector<double> stops;
+    for (const double turn : turns_of(stage))
+      if (turn > from + near && turn < to - near) stops.push_back(turn);
+    stops.push_back(to);
+    return stops;
   }
 
   /// How far apart the grips of a mount have stood at each sample so far, and where they go for the next one.

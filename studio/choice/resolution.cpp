@@ -13,10 +13,12 @@ namespace wale {
 namespace {
 
 constexpr int least_segments = 8, most_segments = 200;
-constexpr double longest = 1.2, shortest = 0.28, step = 0.97;  // of the segment lengths that are tried
+constexpr double longest = 1.2, shortest = 0.2, step = 0.97;  // of the segment lengths that are tried
 constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double share_of_scenes = 0.9;
-constexpr double rest_tolerance = 1e-4;  // of calibration; see bench/accuracy/calibrate.cpp
+constexpr double margin = 0.8;  // of what is asked: scenes are more various than those of a calibration
+constexpr int rest_iterations = 1000;
+constexpr double rest_tolerance = 0.01;  // over what is asked; see `rest_tolerance` in docs/accuracy.md
 
 /// What is below which in nine of ten scenes.
 double nine_of_ten(std::vector<double> errors) {
@@ -87,7 +89,8 @@ void set_solver(Stage& stage, const Resolution& to, bool periodic) {
     solver->tolerance = to.fineness.tolerance / 2;
     stage.samples *= to.samples_times;
   } else if (periodic && !rubs(stage) && !stage.tighten) {
-    solver->tolerance = std::min(solver->tolerance, rest_tolerance);
+    solver->tolerance = std::min(solver->tolerance, rest_tolerance * to.asked);
+    solver->iterations = std::max(solver->iterations, rest_iterations);
   }
 }
 
@@ -95,10 +98,10 @@ void set_solver(Stage& stage, const Resolution& to, bool periodic) {
 
 Resolution choose_resolution(double asked, const Scales& scales, double strain_a_sample, const Calibration& from) {
   const std::vector<const Calibration::Scene*> scenes = scenes_for(asked, from);
-  Resolution best{.asked = asked, .expected = none, .cost = none};
+  Resolution best{.asked = asked, .aim = margin * asked, .expected = none, .cost = none};
   for (std::size_t i = 0; i < from.fineness.size(); ++i)
     for (double length = longest; length > shortest; length *= step) {
-      Resolution tried{.asked = asked, .segment_length = length, .fineness = from.fineness[i]};
+      Resolution tried{.asked = asked, .aim = margin * asked, .segment_length = length, .fineness = from.fineness[i]};
       std::vector<double> errors;
       for (const Calibration::Scene* scene : scenes)
         errors.push_back(at(scene->stitch_length / length, from.segments, scene->errors[i]));

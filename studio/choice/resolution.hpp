@@ -12,6 +12,7 @@ namespace wale {
 
 struct Resolution {
   double asked = 0;           ///< error of the stress over its peak
+  double aim = 0;             ///< four fifths of it: scenes are more various than those of a calibration
   double segment_length = 0;  ///< knitted, over the yarn's diameter
   int segments_per_stitch = 0;
   Fineness fineness{};
@@ -21,7 +22,7 @@ struct Resolution {
   double cost = 0;                ///< see Calibration::costs
   int scenes = 0;                 ///< by how many that is known: those whose reference is known to what is asked
 
-  bool reached() const { return expected <= asked; }
+  bool reached() const { return expected <= aim; }
 };
 
 /// The cheapest of all that are expected to be off by no more than `asked`; if there are none, that of the least error.
