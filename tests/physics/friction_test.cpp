@@ -199,7 +199,7 @@ TEST(Friction, MakesAFabricLoseWorkInLoopsThatClose) {
 }
 
 /// The stress at each sample of a pull of jersey that has come to rest without friction, Pa.
-std::vector<double> pull_from_rest(const std::string& along, int samples) {
+std::vector<double> pull_from_rest(const std::string& along, int samples, const std::string& to = "80 %") {
   const OneThread one_thread;
   const Results results = run_scene(fmt::format(R"(scene: 1
 fabric: {{pattern: jersey.yaml, wales: 2, courses: 2, periodic: true, segments_per_stitch: 12}}
@@ -207,10 +207,10 @@ effects: {{stretch: , bend: , contact: }}
 stages:
   - {{name: tighten, duration: 1 s, tighten: 100 %, samples: 4}}
   - {{name: relax, duration: 1 s, samples: 1, solver: {{quasi_static: {{tolerance: 1e-4}}}}}}
-  - {{name: pull, duration: 1 s, pull: {{along: {}, to: 80 %}}, samples: {}, effects: {{friction: }}}}
+  - {{name: pull, duration: 1 s, pull: {{along: {}, to: {}}}, samples: {}, effects: {{friction: }}}}
 solver: {{quasi_static: {{tolerance: 0.002}}}}
 )",
-                                                along, samples));
+                                                along, to, samples));
   return last(results, "stress", samples + 1);
 }
 
@@ -224,6 +224,14 @@ TEST(Friction, IsOfSecondOrderInTheLoadStep) {
       EXPECT_NEAR(stress[static_cast<std::size_t>(i)], fine[static_cast<std::size_t>(finer * i)], 0.01 * peak)
           << along << " " << i;
   }
+}
+
+/// The turn lies between two of five samples: a pull that went past it would miss the largest load.
+TEST(Friction, RemembersATurnThatNoSampleFallsOn) {
+  const std::vector<double> across = pull_from_rest("course", 5, "[40 %, 20 %]"),
+                            on = pull_from_rest("course", 15, "[40 %, 20 %]");
+  const double peak = *std::max_element(on.begin(), on.end());
+  for (std::size_t i = 0; i <= 5; ++i) EXPECT_NEAR(across[i], on[3 * i], 0.02 * peak) << i;
 }
 
 }  // namespace

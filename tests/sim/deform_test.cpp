@@ -81,5 +81,17 @@ TEST(Stage, RecordsTheStrainOfAPullToAndFro) {
   }
 }
 
+TEST(Turns, AreWhereStrainsTurnAndNowhereInARest) {
+  Stage stage;
+  stage.duration = 3;
+  EXPECT_TRUE(turns_of(stage).empty());
+  stage.pull = Pull{Along::course, {0.2, 0.1}};
+  EXPECT_EQ(turns_of(stage), (std::vector<double>{0, 2, 3}));
+  stage.pull.reset();
+  stage.deform = Deform{.course = {Deform::How::driven, {0.3, 0}}, .shear = {Deform::How::driven, {0.4, 0.4}}};
+  ASSERT_EQ(turns_of(stage).size(), 3u);
+  EXPECT_DOUBLE_EQ(turns_of(stage)[1], 3 * 0.5 / 0.8) << "0.5 there and 0.3 back";
+}
+
 }  // namespace
 }  // namespace wale

@@ -9,9 +9,11 @@
 namespace wale::stability {
 namespace {
 
-HardScene compiled(const std::string& text, int first_tested) {
+/// `pattern` is one that is no file.
+HardScene compiled(const std::string& text, int first_tested, const Source& pattern = {}) {
   Sources sources;
   Diagnostics say;
+  if (!pattern.text.empty()) sources.add(WALE_SOURCE_DIR "/patterns/" + pattern.name, pattern.text);
   const Source* source = sources.add(WALE_SOURCE_DIR "/patterns/stability.scene.yaml", text);
   auto scene = compile_scene(*source, sources, say);
   if (!scene || say.failed()) throw std::runtime_error("a scene of the hard cases does not compile:\n" + text);
@@ -108,6 +110,59 @@ HardScene cut(double percent) {
   return hard;
 }
 
+/// Held at both ends and hung in so many times its weight.
+HardScene heavy(double times) {
+  HardScene hard = swatch(4, 4, "  - {name: hang, duration: 1 ms, samples: 10, hold: ends, effects: {gravity: }}\n");
+  for (EffectSpec& effect : hard.scene.stages.back().effects)
+    if (auto* gravity = std::get_if<Gravity>(&effect)) gravity->acceleration *= times;
+  return hard;
+}
+
+/// Laid free, so that it curls at its edges, and then pressed between two planes that come as near as this: on the way
+/// its edges snap over.
+HardScene pressed(double millimetres) {
+  constexpr double far = 8;  // mm
+  const double way = far - millimetres / 2;
+  HardScene hard = swatch(
+      5, 4,
+      fmt::format(
+          "  - {{name: curl, duration: 1 s, samples: 1, effects: {{plates: {{gap: 100 mm}}, friction: }}}}\n"
+          "  - name: press\n    duration: 5 ms\n    samples: 20\n    effects:\n"
+          "      friction: {{threshold: 10 mm/s}}\n      obstacle:\n"
+          "        - {{plane: {{point: [0 mm, 0 mm, {0} mm], normal: [0, 0, -1]}}, move: [0 mm, 0 mm, -{1} mm]}}\n"
+          "        - {{plane: {{point: [0 mm, 0 mm, -{0} mm], normal: [0, 0, 1]}}, move: [0 mm, 0 mm, {1} mm]}}\n",
+          far, way));
+  hard.first_tested = 3;
+  return hard;
+}
+
+/// A loop that is slipped over two courses, and all pulled along the wales until it takes the load, and lets it go to
+/// its neighbours.
+std::string slipped() {
+  constexpr int wales = 3, courses = 5, held = 1, first = 2, last = 3;
+  std::string text = ";!knitout-2\n;;Carriers: 1\nin 1\ntuck - f2 1\ntuck - f0 1\ntuck + f1 1\n";
+  for (int course = 0; course < courses; ++course)
+    for (int k = 0; k < wales; ++k) {
+      const bool back = course % 2 == 0;
+      const int needle = back ? wales - 1 - k : k;
+      const bool slips = needle == held && course >= first && course <= last;
+      text += fmt::format("{} {} f{} 1\n", slips ? "miss" : "knit", back ? '-' : '+', needle);
+    }
+  return text + "out 1\n";
+}
+
+HardScene slip_stitch(double percent) {
+  return compiled(
+      fmt::format("scene: 1\nfabric: {{pattern: slipped.k, segments_per_stitch: 12}}\n"
+                  "effects: {{stretch: , bend: , contact: , knots: , drag: , friction: {{threshold: 10 mm/s}}}}\n"
+                  "solver: {{quasi_static: {{tolerance: 0.3}}}}\nstages:\n"
+                  "  - {{name: tighten, duration: 1 s, samples: 4, tighten: 100 %, hold: ends}}\n"
+                  "  - {{name: relax, duration: 1 s, samples: 1}}\n"
+                  "  - {{name: pull, duration: 0.5 ms, samples: 10, pull: {{along: wale, to: {} %}}}}\n",
+                  percent),
+      2, {"slipped.k", slipped()});
+}
+
 }  // namespace
 
 std::vector<HardCase> cases_of_fabrics() {
@@ -124,6 +179,9 @@ std::vector<HardCase> cases_of_fabrics() {
       {"one course of many wales", "wales", {1}, {1, 2, 3, 5, 10, 20}, one_course},
       {"swatch let go", "%", {20}, {10, 20, 40, 80, 120}, let_go},
       {"swatch with a yarn cut", "% of its length", {50}, {10, 50, 90}, cut},
+      {"swatch under its weight", "times", {1000}, {10, 100, 1000, 1e4, 1e5}, heavy},
+      {"curled swatch pressed flat", "mm apart", {4}, {8, 4, 3, 2, 1.5, 1.2, 1, 0.8}, pressed, still},
+      {"slip stitch that takes the load", "%", {20}, {10, 20, 40, 60, 80, 120}, slip_stitch},
   };
 }
 
