@@ -14,9 +14,10 @@ namespace {
 
 constexpr int least_segments = 8, most_segments = 200;
 constexpr double longest = 1.2, shortest = 0.2, step = 0.97;  // of the segment lengths that are tried
+constexpr double well_known = 0.0075;  // by more a reference would say what another run of it does not
 constexpr double none = std::numeric_limits<double>::infinity();
 constexpr double share_of_scenes = 0.9;
-constexpr double margin = 0.8;  // of what is asked: scenes are more various than those of a calibration
+constexpr double margin = 2.0 / 3;  // of what is asked: scenes are more various than those of a calibration
 constexpr int rest_iterations = 1000;
 constexpr double rest_tolerance = 0.01;  // over what is asked; see `rest_tolerance` in docs/accuracy.md
 
@@ -40,20 +41,21 @@ double at(double segments, const std::vector<int>& measured, const std::vector<d
   return values[next - 1] * std::pow(values[next] / values[next - 1], share);
 }
 
-/// Those whose reference is known to `asked`; if there are none, all.
+/// Those whose reference is known to `asked` and to `well_known`; if there are none, all.
 std::vector<const Calibration::Scene*> scenes_for(double asked, const Calibration& from) {
   std::vector<const Calibration::Scene*> scenes, all;
   for (const Calibration::Scene& scene : from.scenes) {
     all.push_back(&scene);
-    if (scene.reference <= asked) scenes.push_back(&scene);
+    if (scene.reference <= std::min(asked, well_known)) scenes.push_back(&scene);
   }
   return scenes.empty() ? all : scenes;
 }
 
-/// The cheaper of two that meet what is asked, else the one that does, else the nearer.
+/// The cheaper of two that meet what is aimed at, else the one that does, else the nearer.
 bool better(const Resolution& a, const Resolution& b) {
-  if (a.reached() != b.reached()) return a.reached();
-  return a.reached() ? a.cost < b.cost : a.expected < b.expected;
+  const auto meets = [](const Resolution& of) { return of.expected <= margin * of.asked; };
+  if (meets(a) != meets(b)) return meets(a);
+  return meets(a) ? a.cost < b.cost : a.expected < b.expected;
 }
 
 /// Times by which samples that strain so much are multiplied so that each strains no more than `most`.
@@ -98,10 +100,10 @@ void set_solver(Stage& stage, const Resolution& to, bool periodic) {
 
 Resolution choose_resolution(double asked, const Scales& scales, double strain_a_sample, const Calibration& from) {
   const std::vector<const Calibration::Scene*> scenes = scenes_for(asked, from);
-  Resolution best{.asked = asked, .aim = margin * asked, .expected = none, .cost = none};
+  Resolution best{.asked = asked, .expected = none, .cost = none};
   for (std::size_t i = 0; i < from.fineness.size(); ++i)
     for (double length = longest; length > shortest; length *= step) {
-      Resolution tried{.asked = asked, .aim = margin * asked, .segment_length = length, .fineness = from.fineness[i]};
+      Resolution tried{.asked = asked, .segment_length = length, .fineness = from.fineness[i]};
       std::vector<double> errors;
       for (const Calibration::Scene* scene : scenes)
         errors.push_back(at(scene->stitch_length / length, from.segments, scene->errors[i]));

@@ -12,7 +12,6 @@ namespace wale {
 
 struct Resolution {
   double asked = 0;           ///< error of the stress over its peak
-  double aim = 0;             ///< four fifths of it: scenes are more various than those of a calibration
   double segment_length = 0;  ///< knitted, over the yarn's diameter
   int segments_per_stitch = 0;
   Fineness fineness{};
@@ -20,14 +19,14 @@ struct Resolution {
   double friction_threshold = 0;  ///< over the speed at which a diameter is strained
   double expected = 0;            ///< error: in 9 of 10 scenes of the calibration it was less
   double cost = 0;                ///< see Calibration::costs
-  int scenes = 0;                 ///< by how many that is known: those whose reference is known to what is asked
+  int scenes = 0;                 ///< by how many that is known: those whose reference is known so well
 
-  bool reached() const { return expected <= aim; }
+  bool reached() const { return expected <= asked; }
 };
 
-/// The cheapest of all that are expected to be off by no more than `asked`; if there are none, that of the least error.
-/// Between segments that were measured errors and costs are taken to be powers.
-/// `strain_a_sample` is that of the scene as written; 0 if nothing is strained.
+/// The cheapest of all that are expected to be off by no more than two thirds of `asked`, as scenes are more various
+/// than those of a calibration; if there are none, that of the least error. Between segments that were measured errors
+/// and costs are taken to be powers. `strain_a_sample` is that of the scene as written; 0 if nothing is strained.
 Resolution choose_resolution(double asked, const Scales&, double strain_a_sample,
                              const Calibration& = shipped_calibration());
 

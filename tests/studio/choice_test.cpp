@@ -15,7 +15,7 @@ namespace wale {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
-constexpr double margin = 0.8;
+constexpr double margin = 2.0 / 3;
 constexpr Scales standard{
     .stitch_length = 7.23e-3, .diameter = 0.524e-3, .bending_force = 0.0537, .linear_density = 77e-6};
 
