@@ -95,6 +95,8 @@ inline constexpr auto front_codes = std::to_array<CodeInfo>({
      "pull: {along: wale, to: [60 %, 0 %, 60 %, 0 %]}"},
     {"S012", Severity::error, "pressure in a fabric that is no tube, so that it encloses nothing",
      "form: tube   # in the chart; then in the scene `effects: {pressure: {to: 2 kPa}}`"},
+    {"S013", Severity::error, "an effect on a region in which there is no stitch, or of a fabric that repeats",
+     "gravity: {on: {courses: 5-8, wales: 1-4}}   # both from 1, as the chart is numbered"},
 });
 
 /// All codes, the front's first.

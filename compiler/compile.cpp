@@ -245,8 +245,45 @@ std::vector<int> find_mentioned(const Mentions& mentions, const CompiledPattern&
   return places;
 }
 
-/// What is known only with the fabric: knots, and which materials effects and stages mean.
-void fill_in(Stage& stage, const Knots& ends, const std::vector<int>& places) {
+/// `course`: of a knitout file's loop, from 0.
+bool holds(const Mentions::Region& region, bool knitout, const Loop& loop, int course) {
+  if (!knitout) course = loop.cell.course;
+  const std::optional<IntRange>& across = knitout ? region.needles : region.wales;
+  const int column = knitout ? loop.needle.index : loop.cell.wale + 1;
+  return (!region.courses || region.courses->holds(course + 1)) && (!across || across->holds(column));
+}
+
+/// Segments of the stitches in each region that the scene names.
+std::vector<std::vector<int>> find_regions(const Mentions& mentions, const CompiledPattern& of, Diagnostics& say) {
+  const bool knitout = of.kind == "carrier";
+  const Compiled& compiled = of.compiled;
+  const std::vector<int> courses = courses_of(compiled.graph);
+  std::vector<std::vector<int>> regions;
+  for (const Mentions::Region& region : mentions.regions) {
+    std::vector<int>& segments = regions.emplace_back();
+    for (int i = 0; i < compiled.fabric.segment_count(); ++i) {
+      const int stitch = compiled.fabric.segment(i).stitch;
+      if (stitch < 0) continue;
+      const auto place = static_cast<std::size_t>(stitch);
+      if (holds(region, knitout, compiled.graph.loops[place], courses[place])) segments.push_back(i);
+    }
+    if (compiled.fabric.cell)
+      say.error("S013", region.span, "a fabric that repeats has no regions", "leave `courses` and `wales` out");
+    else if (knitout ? region.wales.has_value() : region.needles.has_value())
+      say.error("S013", region.span,
+                fmt::format("a {} has no {}", knitout ? "knitout file" : "chart", knitout ? "wales" : "needles"),
+                knitout ? "write `needles: 0-9`" : "write `wales: 1-10`");
+    else if (segments.empty())
+      say.error("S013", region.span, "there is no stitch in this region",
+                knitout ? "`wale check` says how many courses there are, and needles are counted as the file does"
+                        : "courses and wales are counted from 1, as `wale compile CHART --show chart` prints them");
+  }
+  return regions;
+}
+
+/// What is known only with the fabric: knots, and which materials and segments effects and stages mean.
+void fill_in(Stage& stage, const Knots& ends, const std::vector<int>& places,
+             const std::vector<std::vector<int>>& regions) {
   const auto look_up = [&](std::vector<int>& materials) {
     for (int& material : materials) material = places[static_cast<std::size_t>(material)];
   };
@@ -256,6 +293,10 @@ void fill_in(Stage& stage, const Knots& ends, const std::vector<int>& places) {
     std::visit(
         [&](auto& spec) {
           if constexpr (requires { spec.materials; }) look_up(spec.materials);
+          if constexpr (requires { spec.on; }) {
+            look_up(spec.on.materials);
+            if (!spec.on.segments.empty()) spec.on.segments = regions[static_cast<std::size_t>(spec.on.segments[0])];
+          }
         },
         effect);
   }
@@ -281,6 +322,7 @@ std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagn
   if (!made) return std::nullopt;
   const std::size_t errors = say.error_count();
   const std::vector<int> places = find_mentioned(parsed->mentions, *made, say);
+  const std::vector<std::vector<int>> regions = find_regions(parsed->mentions, *made, say);
   if (say.error_count() > errors) return std::nullopt;
 
   Compiled& compiled = made->compiled;
@@ -288,7 +330,7 @@ std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagn
   for (const Material& yarn : compiled.fabric.materials) diameter = std::max(diameter, yarn.diameter);
   compiled.gauge.thickness = parsed->thickness > 0 ? parsed->thickness : 2 * diameter;
   const Knots ends = secured_ends(compiled.fabric);
-  for (Stage& stage : parsed->stages) fill_in(stage, ends, places);
+  for (Stage& stage : parsed->stages) fill_in(stage, ends, places, regions);
   return Scene{parsed->name,
                parsed->accuracy,
                std::move(compiled.fabric),

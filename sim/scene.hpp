@@ -28,15 +28,20 @@ struct Bend {
   int nodes = 3;  ///< Gauss nodes a segment
   RestShape rest = RestShape::straight;
 };
+/// Where in a fabric an effect acts: everywhere, unless it is narrowed.
+struct Part {
+  std::vector<int> materials{};  ///< of some yarns, places in Fabric::materials; empty: of all
+  std::vector<int> segments{};   ///< of those only these; empty: all
+};
 /// V = -rho l0 ∫ y·g ds (Eq. 15, sign corrected).
 struct Gravity {
   Vec3 acceleration{0, -9.81, 0};  ///< g, m/s²
-  std::vector<int> materials{};    ///< of the yarns that it acts on, places in Fabric::materials; empty: of all
+  Part on{};
 };
 /// D = k_g l ∫ |v|² ds (Eq. 16, with the factor l).
 struct Drag {
-  double coefficient = 0.02;     ///< k_g, kg/(m s)
-  std::vector<int> materials{};  ///< see Gravity
+  double coefficient = 0.02;  ///< k_g, kg/(m s)
+  Part on{};
 };
 /// Yarns push each other apart; law, stiffness and diameter are the material's (Eqs. 17-20).
 struct Contact {
@@ -82,13 +87,13 @@ struct Obstacle {
   enum class Shape : std::uint8_t { plane, cylinder, sphere };
   std::string label = "obstacle";
   Shape shape = Shape::plane;
-  Vec3 centre{0, 0, 0};          ///< at p = 0; of a plane any point, of a cylinder any point of its axis, m
-  Vec3 axis{0, 0, 1};            ///< of length 1: a plane's normal, towards the yarns; a cylinder's axis; no sphere's
-  double radius = 0;             ///< m; no plane's
-  double stiffness = 1e6;        ///< k_o, N/m²
-  Vec3 move{0, 0, 0};            ///< by which the centre has moved at p = 1, m
-  Schedule progress = 0.0;       ///< p(t)
-  std::vector<int> materials{};  ///< see Gravity
+  Vec3 centre{0, 0, 0};     ///< at p = 0; of a plane any point, of a cylinder any point of its axis, m
+  Vec3 axis{0, 0, 1};       ///< of length 1: a plane's normal, towards the yarns; a cylinder's axis; no sphere's
+  double radius = 0;        ///< m; no plane's
+  double stiffness = 1e6;   ///< k_o, N/m²
+  Vec3 move{0, 0, 0};       ///< by which the centre has moved at p = 1, m
+  Schedule progress = 0.0;  ///< p(t)
+  Part on{};
 };
 /// What blows a tube up: V = -p h A. A is the area that the yarns enclose as seen along the tube's axis, all their
 /// turns together, and h the height of one turn, so that h A is the tube's volume. Positive blows it up.

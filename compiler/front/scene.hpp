@@ -27,6 +27,12 @@ struct Mentions {
     std::string name;  ///< of a chart's yarn, or of a carrier
     Span span;
   };
+  /// Counted as a crop of the same kind of pattern is.
+  struct Region {
+    std::optional<IntRange> courses, wales, needles;
+    Span span;
+  };
+  std::vector<Region> regions;  ///< likewise the `segments`
   std::vector<Yarn> yarns;  ///< until the pattern is known, the `materials` of an effect or a stage are places in it
   std::vector<Span> tubes;  ///< effects that need a tube
 };

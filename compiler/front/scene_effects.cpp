@@ -33,7 +33,7 @@ Gravity read_gravity(const YamlNode& node, Mentions& mentions, Diagnostics& say)
   constexpr Range down{0, 1000}, any{-1000, 1000};
   Gravity spec;
   const Settings settings(node, "gravity", {"acceleration", "on"}, say);
-  settings.yarns("on", mentions, spec.materials);
+  settings.part("on", mentions, spec.on);
   const YamlNode* given = settings.find("acceleration");
   if (!given || given->kind != YamlNode::Kind::list) {
     double g = -spec.acceleration.y();
@@ -50,7 +50,7 @@ Drag read_drag(const YamlNode& node, Mentions& mentions, Diagnostics& say) {
   Drag spec;
   const Settings settings(node, "drag", {"coefficient", "on"}, say);
   settings.quantity("coefficient", dimensions::drag, {0, 1e6}, spec.coefficient);
-  settings.yarns("on", mentions, spec.materials);
+  settings.part("on", mentions, spec.on);
   return spec;
 }
 

@@ -6,6 +6,7 @@
 #include "compiler/front/limits.hpp"
 #include "compiler/front/materials.hpp"
 #include "compiler/front/scene_parts.hpp"
+#include "compiler/front/scene_settings.hpp"
 
 namespace wale {
 namespace {
@@ -14,15 +15,6 @@ constexpr int least_segments = 8, sound_segments = 10, most_segments = 200;
 
 std::string beside(const std::string& file, const std::string& path) {
   return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
-}
-
-std::optional<IntRange> read_range(const YamlNode* node, Diagnostics& say) {
-  if (!node) return std::nullopt;
-  const auto range = parse_range(node->text);
-  if (!range)
-    say.error("Y007", node->span, fmt::format("\"{}\" is not a range", node->text),
-              "write the first and the last, as in 5-20");
-  return range;
 }
 
 /// `{otherwise: 9 mm, 6: 9.5 mm}`; faulty entries are reported and left out.

@@ -65,7 +65,7 @@ Obstacle read_obstacle(const YamlNode& node, Mentions& mentions, Diagnostics& sa
               fmt::format("write `obstacle: {}`", example));
   settings.vector("move", "a move", dimensions::length, places, "write it as in `[0 mm, 0 mm, 4 mm]`", spec.move);
   settings.quantity("stiffness", dimensions::foundation, {1e-6, 1e12}, spec.stiffness);
-  settings.yarns("on", mentions, spec.materials);
+  settings.part("on", mentions, spec.on);
   spec.progress = Schedule::ramp(0, 1, 1);
   return spec;
 }

@@ -63,4 +63,25 @@ void Settings::yarns(std::string_view key, Mentions& mentions, std::vector<int>&
   }
 }
 
+std::optional<IntRange> read_range(const YamlNode* node, Diagnostics& say) {
+  if (!node) return std::nullopt;
+  const auto range = parse_range(node->text);
+  if (!range)
+    say.error("Y007", node->span, fmt::format("\"{}\" is not a range", node->text),
+              "write the first and the last, as in 5-20");
+  return range;
+}
+
+void Settings::part(std::string_view key, Mentions& mentions, Part& value) const {
+  const YamlNode* given = node_.find(key);
+  if (!given || given->kind != YamlNode::Kind::map) return yarns(key, mentions, value.materials);
+  const Settings part(*given, "a part of a fabric", {"yarns", "courses", "wales", "needles"}, say_);
+  part.yarns("yarns", mentions, value.materials);
+  const Mentions::Region region{read_range(part.find("courses"), say_), read_range(part.find("wales"), say_),
+                                read_range(part.find("needles"), say_), given->span};
+  if (!region.courses && !region.wales && !region.needles) return;
+  value.segments = {static_cast<int>(mentions.regions.size())};
+  mentions.regions.push_back(region);
+}
+
 }  // namespace wale

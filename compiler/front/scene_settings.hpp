@@ -8,6 +8,9 @@
 
 namespace wale {
 
+/// "5-20", reported if it is something else; nothing of a null.
+std::optional<IntRange> read_range(const YamlNode*, Diagnostics&);
+
 /// `key:` with nothing behind it keeps every default. What is read replaces the value that is there. `node` must
 /// outlive it.
 class Settings {
@@ -27,6 +30,9 @@ class Settings {
               Vec3& value) const;
   /// One yarn's name, or a list of them, as places in Mentions::yarns.
   void yarns(std::string_view key, Mentions& mentions, std::vector<int>& value) const;
+  /// Yarns as above, or a map: `yarns`, `courses`, `wales` of a chart, `needles` of a knitout file. A region is a place
+  /// in Mentions::regions, as the only one of Part::segments.
+  void part(std::string_view key, Mentions& mentions, Part& value) const;
   const YamlNode* find(std::string_view key) const { return node_.find(key); }
 
  private:

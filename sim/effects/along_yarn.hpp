@@ -230,9 +230,10 @@ inline std::vector<int> all_segments(const Fabric& fabric) {
   return all;
 }
 
-/// Those of some materials; of all if none is named.
-inline std::vector<int> segments_of(const Fabric& fabric, const std::vector<int>& materials) {
-  std::vector<int> some = all_segments(fabric);
+/// Those of a part of the fabric, ascending.
+inline std::vector<int> segments_of(const Fabric& fabric, const Part& part) {
+  std::vector<int> some = part.segments.empty() ? all_segments(fabric) : part.segments;
+  const std::vector<int>& materials = part.materials;
   const auto is_other = [&](int i) {
     return std::find(materials.begin(), materials.end(), fabric.segment(i).material) == materials.end();
   };

@@ -19,7 +19,7 @@ struct DragEffect {
 std::unique_ptr<Effect> make(const Drag& spec, Parts& parts) {
   // Four nodes integrate v·v exactly, so that a free yarn slows by one exponential.
   return std::make_unique<AlongYarn<DragEffect>>(DragEffect{spec.coefficient}, parts, 4,
-                                                 segments_of(parts.fabric, spec.materials));
+                                                 segments_of(parts.fabric, spec.on));
 }
 
 }  // namespace wale

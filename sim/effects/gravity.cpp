@@ -16,7 +16,7 @@ struct GravityEffect {
 
 std::unique_ptr<Effect> make(const Gravity& spec, Parts& parts) {
   return std::make_unique<AlongYarn<GravityEffect>>(GravityEffect{spec.acceleration}, parts, 2,
-                                                    segments_of(parts.fabric, spec.materials));
+                                                    segments_of(parts.fabric, spec.on));
 }
 
 }  // namespace wale

@@ -38,7 +38,7 @@ struct ObstacleEffect {
 
 std::unique_ptr<Effect> make(const Obstacle& spec, Parts& parts) {
   return std::make_unique<AlongYarn<ObstacleEffect>>(ObstacleEffect{spec}, parts, nodes,
-                                                     segments_of(parts.fabric, spec.materials));
+                                                     segments_of(parts.fabric, spec.on));
 }
 
 }  // namespace wale

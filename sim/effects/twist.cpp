@@ -46,7 +46,7 @@ struct Writhing {
 class TwistEffect final : public Effect {
  public:
   TwistEffect(const Twist& spec, const Parts& parts)
-      : spec_(spec), fabric_(parts.fabric), segments_(segments_of(parts.fabric, spec.materials)) {
+      : spec_(spec), fabric_(parts.fabric), segments_(segments_of(parts.fabric, {spec.materials, {}})) {
     for (const GaussNode& node : gauss(nodes)) {
       rule_.push_back({node.weight, basis(node.s)});
     }

@@ -155,8 +155,30 @@ TEST(CompileScene, KnowsWhichMaterialsTheNamesOfYarnsMean) {
                                                 "stages: [{name: heat, duration: 1 s, shrink: {yarn: b, by: 20 %}}]\n"),
                                    sources, say);
   ASSERT_TRUE(scene) << print(say.all().front());
-  EXPECT_EQ(std::get<Gravity>(scene->stages[0].effects[1]).materials, (std::vector{2, 0}));
+  EXPECT_EQ(std::get<Gravity>(scene->stages[0].effects[1]).on.materials, (std::vector{2, 0}));
   EXPECT_EQ(scene->stages[0].shrink[0].materials, std::vector{1});
+}
+
+TEST(CompileScene, KnowsWhichSegmentsARegionHolds) {
+  Sources sources;
+  Diagnostics say;
+  sources.add("stripes.yaml",
+              "knit: 1\nwales: 4\nyarns: {a: , b: }\nbands: [{stitch: jersey, courses: 6, yarn: [a, b]}]\n");
+  sources.add("narrow.k",
+              ";!knitout-2\n;;Carriers: 1\nin 1\ntuck - f2 1\ntuck - f0 1\ntuck + f1 1\nknit - f2 1\n"
+              "knit - f1 1\nknit - f0 1\nknit + f0 1\nknit + f1 1\nknit + f2 1\nout 1\n");
+  const auto segments = [&](const std::string& pattern, const std::string& on) {
+    const auto scene = compile_scene(
+        *sources.add("scene.yaml", "scene: 1\nfabric: {pattern: " + pattern + "}\neffects: {gravity: {on: " + on +
+                                       "}}\nstages: [{name: fall, duration: 1 s}]\n"),
+        sources, say);
+    for (const Diagnostic& one : say.all()) ADD_FAILURE() << print(one);
+    return std::get<Gravity>(scene->stages[0].effects[0]).on.segments.size();
+  };
+  EXPECT_EQ(segments("stripes.yaml", "{courses: 2-3, wales: 1-4}"), 2U * 4 * 12);
+  EXPECT_EQ(segments("stripes.yaml", "{courses: 6}"), 4U * 12);
+  EXPECT_EQ(segments("stripes.yaml", "{wales: 4}"), 6U * 12);
+  EXPECT_EQ(segments("narrow.k", "{courses: 2, needles: 0-1}"), 2U * 12);
 }
 
 TEST(CompileScene, MakesOneRepeatOfAPeriodicFabric) {

@@ -274,7 +274,7 @@ stages:
   const auto name = [&](int place) { return scene->mentions.yarns.at(static_cast<std::size_t>(place)).name; };
   ASSERT_EQ(press.shrink[1].materials.size(), 2u);
   EXPECT_EQ(name(press.shrink[1].materials[1]), "b");
-  EXPECT_EQ(name(ball.materials.at(0)), "c");
+  EXPECT_EQ(name(ball.on.materials.at(0)), "c");
 }
 
 }  // namespace

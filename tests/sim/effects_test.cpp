@@ -50,7 +50,7 @@ std::vector<Case> cases() {
   sphere.shape = Obstacle::Shape::sphere;
   sphere.radius = 1.5e-3;
   sphere.centre = {0, 0.3e-3, -1.6e-3};
-  sphere.materials = {0};
+  sphere.on.materials = {0};
   const Pressure pressure{
       .from = 100, .to = 900, .axis = {0.6, 0, 0.8}, .spacing = 1e-3, .progress = Schedule::ramp(0, 1, 1)};
   using enum ContactLaw;
