@@ -5,6 +5,7 @@
 
 #include "sim/effects/beads.hpp"
 #include "sim/parts.hpp"
+#include "sim/world.hpp"
 #include "tests/support/finite_difference.hpp"
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/one_thread.hpp"
@@ -80,7 +81,8 @@ std::vector<Case> cases() {
       {"SphereForOneYarn", sphere, barrier, true, false, false},
       {"Pressure", pressure, barrier, true, true, false, false, true, 1e-9, false},
       {"Twist", Twist{.from = 1e-7, .to = 3e-7}, barrier, true, true, false, false, true, 1e-9, false},
-      {"GravityOfOneYarn", Gravity{{1, -9.81, 2}, {0}}, barrier, true, false, false, true},
+      {"GravityOfOneYarn", Gravity{{1, -9.81, 2}, {{0}, {}}}, barrier, true, false, false, true},
+      {"GravityOfARegion", Gravity{{1, -9.81, 2}, {{0}, {2, 3, 12}}}, barrier, true, false, false, true},
   };
 }
 
@@ -543,6 +545,19 @@ TEST(Beads, AreInflatedByAlphaWhenTheirNumberIsTheBound) {
   EXPECT_EQ(beads_per_segment(3.999 * spacing, d, alpha), 4);
   EXPECT_EQ(beads_per_segment(4.001 * spacing, d, alpha), 5);
   EXPECT_NEAR(inflated_diameter(d, spacing), (1 + alpha) * d, 1e-15);
+}
+
+TEST(Gravity, OfARegionIsTheWeightOfItsSegmentsOfThoseYarns) {
+  const OneThread one_thread;
+  Fabric fabric = straight_rod(0.1, 8);
+  fabric.materials.push_back(fabric.materials.front());
+  for (std::size_t i = 4; i < 8; ++i) fabric.segments[i].material = 1;
+  const State state = at_rest(fabric);
+  World world(fabric, {Gravity{{0, -10, 0}, {{1}, {3, 4, 6}}}}, 0.0, state);
+  Points force = Points::Zero(3, state.q.cols());
+  Load load{.force = &force};
+  world.evaluate(state, load);
+  EXPECT_NEAR(force.row(1).sum(), -10 * fabric.materials[1].linear_density * 0.1 * 2 / 8, 1e-15);
 }
 
 }  // namespace
