@@ -8,6 +8,8 @@
 #include "sim/tile.hpp"
 #include "studio/accuracy/adjust.hpp"
 #include "studio/accuracy/along_yarn.hpp"
+#include "studio/accuracy/common_rest.hpp"
+#include "studio/accuracy/measured.hpp"
 #include "studio/choice/settle.hpp"
 #include "tests/studio/shell.hpp"
 
@@ -186,6 +188,40 @@ TEST_P(Resampled, OnItsOwnSegmentsAYarnIsWhatItWas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SwatchAndCell, Resampled, testing::Bool());
+
+/// Of two scenes that no calibration has seen, against much finer settings from the same rest; bench/accuracy/hits.cpp
+/// tries 26.
+TEST(AskedAccuracy, IsReached) {
+  for (const char* fabric : {"pattern: jersey.yaml, wales: 1, courses: 1, stitch_length: 6.7 mm",
+                             "pattern: garter.yaml, wales: 1, courses: 2, stitch_length: 7.6 mm"}) {
+    Sources sources;
+    Diagnostics say;
+    const SceneText text(*sources.add(WALE_SOURCE_DIR "/patterns/scene.yaml",
+                                      std::string("scene: 1\naccuracy: 5 %\nfabric: {periodic: true, ") + fabric + R"(}
+effects: auto
+stages:
+  - {name: tighten, duration: 1 s, tighten: 100 %, samples: 4}
+  - {name: relax, duration: 1 s, samples: 1}
+  - {name: pull, duration: 2 s, pull: {along: wale, to: 60 %}, samples: 8}
+)"),
+                         sources);
+    const auto settled = settle(text, std::nullopt, say);
+    ASSERT_TRUE(settled);
+    Results chosen, finer;
+    chosen.scene = settled->scene;
+    ASSERT_EQ(run(chosen, {.progress = {}, .save = {}}), Outcome::finished);
+    finer.scene = in_other_segments(text, *settled, 48).value();
+    scale_sampling(finer.scene, 0.5);
+    scale_tolerance(finer.scene, StageKind::strained, 0.3);
+    scale_samples(finer.scene, 4);
+    RunOptions from_rest{.progress = {}, .save = {}};
+    from_rest.begin = begin_at(rest_of(chosen).value(), finer.scene);
+    ASSERT_EQ(run(finer, from_rest), Outcome::finished);
+    const double error = difference(measured(chosen), measured(finer))[of_stress];
+    EXPECT_LT(error, 0.05) << fabric;
+    EXPECT_GT(error, 1e-4) << "they are not one run";
+  }
+}
 
 class Choice : public testing::Test {
  protected:
