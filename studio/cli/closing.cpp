@@ -22,6 +22,7 @@ constexpr Leaving leavings[] = {{"curve.csv", "the stress-strain table"},
                                 {"fabric_pulled.svg", "the pulled fabric, coloured by the stretch of its yarn"},
                                 {"frames.pvd", "every saved state as tubes, for ParaView"},
                                 {"results.h5", "every saved state, exactly; --resume reads it"},
+                                {"choices.json", "what was chosen for the scene, and by which numbers"},
                                 {"summary.json", "sizes, features of the curve, cost, warnings"}};
 
 std::string sizes(const Sizes& relaxed) {
