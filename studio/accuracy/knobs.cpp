@@ -88,6 +88,7 @@ Knob contact_stiffness(double written) {
 
 Knob tolerance(std::string key, std::string noun, StageKind of) {
   Knob knob{std::move(key), std::move(noun), Knob::Kind::resolution, 1};
+  knob.finds_rest = of == StageKind::at_rest;
   knob.rungs = scaled({10, 3, 1, 0.3, 0.1}, [&](double factor) {
     return rung(fmt::format("{:g} x", factor), factor,
                 [factor, of](Scene& scene) { scale_tolerance(scene, of, factor); });

@@ -30,6 +30,7 @@ struct Knob {
   std::optional<double> order{};  ///< by which the error is expected to fall with the size
   std::vector<Rung> rungs{};      ///< from coarse to fine; one of them as written
   bool by_request = false;        ///< costs so much that it is only tried when asked for
+  bool finds_rest = false;        ///< its error is that of the rest itself, which each run is to find by itself
 };
 
 /// The knobs that a scene has. `parsed` and `compiled` are that scene, `of_chart` says whether its pattern is one.

@@ -22,11 +22,11 @@ class Trials {
   void run_as_written() {
     Rung rung{"as written", 0};
     rung.as_written = true;
-    written_ = run_once("", rung);
+    written_ = run_once({}, rung);
   }
 
   Trial trial(const Knob& knob, const Rung& rung) {
-    Trial trial = rung.as_written ? *written_ : run_once(knob.key, rung);
+    Trial trial = rung.as_written ? *written_ : run_once(knob, rung);
     trial.label = rung.label;
     trial.size = rung.size;
     return trial;
@@ -35,8 +35,8 @@ class Trials {
   bool stopped() const { return options_.interrupt && options_.interrupt->load(); }
 
  private:
-  Trial run_once(const std::string& knob, const Rung& rung) {
-    if (options_.progress) options_.progress(done_, of_, fmt::format("{} {}", knob, rung.label));
+  Trial run_once(const Knob& knob, const Rung& rung) {
+    if (options_.progress) options_.progress(done_, of_, fmt::format("{} {}", knob.key, rung.label));
     ++done_;
     Trial trial{rung.label, rung.size, rung.as_written};
     Diagnostics say;
@@ -49,7 +49,7 @@ class Trials {
     for (int time = 0; time < options_.times && !stopped() && trial.failure.empty(); ++time)
       costs.push_back(run_whole(*scene, trial));
     if (!costs.empty()) trial.cost = median(std::move(costs));
-    if (trial.found && !rung.as_written && !stopped()) run_from_common_rest(*scene, trial);
+    if (trial.found && !rung.as_written && !knob.finds_rest && !stopped()) run_from_common_rest(*scene, trial);
     return trial;
   }
 
