@@ -84,7 +84,8 @@ std::string table(const Ladder& ladder) {
 }
 
 constexpr std::string_view how_to_read = R"(<p class="note">One knob is turned at a time, the others stay as the scene's
-file says; <em>together</em> turns all knobs of resolution at once. Hollow marks rest in another of several equilibria
+file says; <em>together</em> turns all knobs of resolution at once. A run is made twice: as a whole, for its time, and
+from the rest of the scene as written, for its errors, so that several ways to rest do not mix. Hollow marks rest in another of several equilibria
 (their spacings are more than 5 % off), or yarn has passed through yarn. The largest difference in stress is given over
 the peak; all other numbers over themselves, places of the yarn over its diameter. <em>Alone</em> is the error in stress
 that this knob makes by itself: against its own finest value, for which it is Richardson's estimate. Of a choice it is
