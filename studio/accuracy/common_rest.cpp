@@ -17,6 +17,12 @@ std::optional<int> resting_stage(const Scene& scene) {
   return static_cast<int>(grips - scene.stages.begin()) - 1;
 }
 
+/// With friction a fabric stops where it was held, and there is nothing to find in other segments.
+bool rubs(const Stage& stage) {
+  return std::any_of(stage.effects.begin(), stage.effects.end(),
+                     [](const EffectSpec& effect) { return std::holds_alternative<Friction>(effect); });
+}
+
 double knitted_length(const Fabric& fabric, const Yarn& yarn) {
   double sum = 0;
   for (int i = 0; i < yarn.segments; ++i) sum += fabric.segment(yarn.first_segment + i).knitted;
@@ -38,9 +44,9 @@ std::optional<Rest> rest_of(const Results& results) {
   if (!stage) return std::nullopt;
   const auto last = std::find_if(results.snapshots.rbegin(), results.snapshots.rend(),
                                  [&](const Snapshot& snapshot) { return snapshot.stage == *stage; });
-  const int samples = results.scene.stages[static_cast<std::size_t>(*stage)].samples;
-  if (last == results.snapshots.rend() || last->sample != samples) return std::nullopt;
-  return Rest{results.scene.fabric, last->state.q};
+  const Stage& resting = results.scene.stages[static_cast<std::size_t>(*stage)];
+  if (last == results.snapshots.rend() || last->sample != resting.samples) return std::nullopt;
+  return Rest{results.scene.fabric, last->state.q, rubs(resting)};
 }
 
 std::optional<Beginning> begin_at(const Rest& rest, const Scene& scene) {
@@ -49,7 +55,8 @@ std::optional<Beginning> begin_at(const Rest& rest, const Scene& scene) {
   State state;
   state.q = resampled(rest.fabric, rest.q, scene.fabric);
   state.v = Points::Zero(3, state.q.cols());
-  return Beginning{*stage, std::move(state)};
+  const bool rests_on = !rubs(scene.stages[static_cast<std::size_t>(*stage)]);
+  return Beginning{rests_on ? *stage : *stage + 1, std::move(state)};
 }
 
 }  // namespace wale

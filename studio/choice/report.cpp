@@ -26,6 +26,7 @@ Json second_json(const std::optional<SecondLook>& second) {
   if (!second) return {};
   return {{"segments_per_stitch", second->segments},
           {"estimated_error", optional(second->error)},
+          {"of_the_pull_only", second->of_pull_only},
           {"failure", second->failure},
           {"seconds", second->seconds},
           {"seconds_over_those_of_the_run", second->share_of_run}};

@@ -46,6 +46,7 @@ class Looking {
     return std::nullopt;
   }
 
+  bool rest_rubs() const { return rest_ && rest_->rubs; }
   const std::string& failure() const { return failure_; }
 
  private:
@@ -84,6 +85,7 @@ SecondLook look_again(const SceneText& text, Settled& settled, const Results& ru
   if (!scene) return look;
   const Cost cost = cost_of([&] {
     Looking looking(run, options);
+    look.of_pull_only = looking.rest_rubs();
     const std::optional<Measured> coarse = looking.run(*scene, "check");
     look.failure = looking.failure();
     if (!coarse) return;
@@ -106,8 +108,11 @@ std::string words_of(const SecondLook& look, const Settled& settled) {
   if (settled.resolution) {
     const double asked = settled.resolution->asked;
     if (look.error)
-      text += fmt::format("Estimated error: {} ({} asked for), by a second solution with {} segments a stitch{}\n",
+      text += fmt::format("Estimated error: {} ({} asked for), by a second solution with {} segments a stitch{}{}\n",
                           percent(*look.error), percent(asked), look.segments,
+                          look.of_pull_only ? " from the same rest; with friction that depends on how it was reached, "
+                                              "which can be far more and is not in this number"
+                                            : "",
                           *look.error > asked ? ". THIS IS MORE THAN WAS ASKED FOR: ask for less, and compare" : "");
     else
       text += fmt::format("No estimate of the error: {}\n", look.failure);

@@ -10,6 +10,7 @@ namespace wale {
 struct SecondLook {
   int segments = 0;               ///< a stitch: two thirds of those of the run
   std::optional<double> error{};  ///< estimated, of the run's stress over its peak; of spacings if nothing was pulled
+  bool of_pull_only = false;      ///< friction acted at rest, which depends on how it was reached: that is not in it
   std::string failure{};          ///< why there is no estimate
   double seconds = 0;             ///< wall time of all that it took
   double share_of_run = 0;        ///< those over the run's
