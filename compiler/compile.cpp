@@ -255,6 +255,7 @@ bool holds(const Mentions::Region& region, bool knitout, const Loop& loop, int c
 
 /// Segments of the stitches in each region that the scene names.
 std::vector<std::vector<int>> find_regions(const Mentions& mentions, const CompiledPattern& of, Diagnostics& say) {
+  if (mentions.regions.empty()) return {};
   const bool knitout = of.kind == "carrier";
   const Compiled& compiled = of.compiled;
   const std::vector<int> courses = courses_of(compiled.graph);

@@ -32,9 +32,9 @@ struct Mentions {
     std::optional<IntRange> courses, wales, needles;
     Span span;
   };
-  std::vector<Region> regions;  ///< likewise the `segments`
   std::vector<Yarn> yarns;  ///< until the pattern is known, the `materials` of an effect or a stage are places in it
-  std::vector<Span> tubes;  ///< effects that need a tube
+  std::vector<Region> regions;  ///< likewise the only one of the `segments` of an effect
+  std::vector<Span> tubes;      ///< effects that need a tube
 };
 
 /// A Scene less its fabric.

@@ -11,7 +11,7 @@
 namespace wale {
 namespace {
 
-constexpr int least_segments = 8, sound_segments = 10, most_segments = 200;
+constexpr int sound_segments = 10;
 
 std::string beside(const std::string& file, const std::string& path) {
   return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
@@ -117,7 +117,8 @@ class FabricReader {
   }
 
   void read_segments(const YamlNode& node) {
-    const auto count = read_count(node, "the number of segments a stitch", least_segments, most_segments, say_);
+    const auto count =
+        read_count(node, "the number of segments a stitch", limits::least_segments, limits::most_segments, say_);
     scene_.segments_per_stitch = count.value_or(scene_.segments_per_stitch);
     if (count && *count < sound_segments)
       say_.warning(

@@ -67,7 +67,7 @@ struct Results {
   Sizes relaxed;
   Effort effort;
   Topology topology;
-  std::optional<double> estimated_error;  ///< of the same; by a second solution, if there was one
+  std::optional<double> estimated_error;  ///< of the stress over its peak, by a second solution
   long contact_samples = 0;               ///< beads in all yarns
   std::vector<std::string> warnings;
   bool complete = false;

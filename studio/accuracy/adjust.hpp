@@ -16,12 +16,18 @@ StageKind kind_of(const Stage&);
 /// The last that pulls or deforms; null if there is none.
 const Stage* last_strained_stage(const Scene&);
 
-/// The first of that kind in any stage; null if there is none.
+/// The first of that kind; null if there is none.
+template <class Effect>
+const Effect* find_effect(const Stage& stage) {
+  for (const EffectSpec& effect : stage.effects)
+    if (const auto* found = std::get_if<Effect>(&effect)) return found;
+  return nullptr;
+}
+/// Likewise in any stage.
 template <class Effect>
 const Effect* find_effect(const Scene& scene) {
   for (const Stage& stage : scene.stages)
-    for (const EffectSpec& effect : stage.effects)
-      if (const auto* found = std::get_if<Effect>(&effect)) return found;
+    if (const auto* found = find_effect<Effect>(stage)) return found;
   return nullptr;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "studio/accuracy/adjust.hpp"
 #include "studio/accuracy/along_yarn.hpp"
 
 namespace wale {
@@ -18,10 +19,7 @@ std::optional<int> resting_stage(const Scene& scene) {
 }
 
 /// With friction a fabric stops where it was held, and there is nothing to find in other segments.
-bool rubs(const Stage& stage) {
-  return std::any_of(stage.effects.begin(), stage.effects.end(),
-                     [](const EffectSpec& effect) { return std::holds_alternative<Friction>(effect); });
-}
+bool rubs(const Stage& stage) { return find_effect<Friction>(stage) != nullptr; }
 
 double knitted_length(const Fabric& fabric, const Yarn& yarn) {
   double sum = 0;

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/front/limits.hpp"
 #include "studio/accuracy/adjust.hpp"
 
 namespace wale {
 namespace {
-
-constexpr int least_segments = 8, most_segments = 200;
 
 Rung rung(std::string label, double size, std::function<void(Scene&)> adjust) {
   return {std::move(label), size, {{}, std::move(adjust)}};
@@ -29,7 +28,7 @@ std::vector<Rung> scaled(const std::vector<double>& factors, Make make) {
 
 int segments_at(const ParsedScene& scene, double factor) {
   const int even = 2 * static_cast<int>(std::lround(scene.segments_per_stitch * factor / 2));
-  return factor == 1 ? scene.segments_per_stitch : std::clamp(even, least_segments, most_segments);
+  return factor == 1 ? scene.segments_per_stitch : std::clamp(even, limits::least_segments, limits::most_segments);
 }
 
 Knob segments(const ParsedScene& scene) {

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "compiler/front/limits.hpp"
 #include "studio/accuracy/adjust.hpp"
 #include "studio/accuracy/sentences.hpp"
 
 namespace wale {
 namespace {
 
-constexpr int least_segments = 8, most_segments = 200;
 constexpr double longest = 1.2, shortest = 0.2, step = 0.97;  // of the segment lengths that are tried
 constexpr double well_known = 0.0075;  // by more a reference would say what another run of it does not
 constexpr double none = std::numeric_limits<double>::infinity();
@@ -77,11 +77,6 @@ void set_effects(Stage& stage, const Resolution& to, double diameter) {
   }
 }
 
-bool rubs(const Stage& stage) {
-  return std::any_of(stage.effects.begin(), stage.effects.end(),
-                     [](const EffectSpec& effect) { return std::holds_alternative<Friction>(effect); });
-}
-
 /// Without friction a fabric without end has a rest to find; with it a swatch stops where it is held.
 void set_solver(Stage& stage, const Resolution& to, bool periodic) {
   auto* solver = std::get_if<QuasiStatic>(&stage.solver);
@@ -90,7 +85,7 @@ void set_solver(Stage& stage, const Resolution& to, bool periodic) {
     solver->of_load = to.fineness.tolerance;
     solver->tolerance = to.fineness.tolerance / 2;
     stage.samples *= to.samples_times;
-  } else if (periodic && !rubs(stage) && !stage.tighten) {
+  } else if (periodic && !find_effect<Friction>(stage) && !stage.tighten) {
     solver->tolerance = std::min(solver->tolerance, rest_tolerance * to.asked);
     solver->iterations = std::max(solver->iterations, rest_iterations);
   }
@@ -113,7 +108,8 @@ Resolution choose_resolution(double asked, const Scales& scales, double strain_a
       if (better(tried, best)) best = tried;
     }
   const double segments = scales.stitch_length / scales.diameter / best.segment_length;
-  best.segments_per_stitch = std::clamp(2 * static_cast<int>(std::ceil(segments / 2)), least_segments, most_segments);
+  best.segments_per_stitch =
+      std::clamp(2 * static_cast<int>(std::ceil(segments / 2)), limits::least_segments, limits::most_segments);
   best.friction_threshold = from.friction_threshold;
   best.scenes = static_cast<int>(scenes.size());
   return best;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/front/limits.hpp"
 #include "studio/accuracy/common_rest.hpp"
 #include "studio/accuracy/convergence.hpp"
 #include "studio/accuracy/cost.hpp"
@@ -14,10 +15,11 @@
 namespace wale {
 namespace {
 
-constexpr int least_segments = 8;
 constexpr double order = 2;
 
-int coarser(int segments) { return std::max(least_segments, 2 * static_cast<int>(std::lround(segments / 3.0))); }
+int coarser(int segments) {
+  return std::max(limits::least_segments, 2 * static_cast<int>(std::lround(segments / 3.0)));
+}
 
 /// What accuracy is told of: the stress, or of a fabric that only rests its spacings.
 double told(const Errors& errors) {

@@ -19,16 +19,16 @@ std::optional<Settled> settle(const SceneText& text, std::optional<double> accur
   Diagnostics said_before;
   Settled settled;
   settled.segments_written = settled.segments = parse_scene(text.source(), said_before)->segments_per_stitch;
-  const Scales scales = scales_of(scene->fabric, settled.segments_written);
+  settled.scales = scales_of(scene->fabric, settled.segments_written);
   const std::optional<double> asked = accuracy ? accuracy : scene->accuracy;
   settled.accuracy = asked.value_or(settled.accuracy);
   if (asked) {
-    settled.resolution = choose_resolution(*asked, scales, strain_a_sample(*scene));
+    settled.resolution = choose_resolution(*asked, settled.scales, strain_a_sample(*scene));
     settled.segments = settled.resolution->segments_per_stitch;
     scene = text.compile(variant_of(*settled.resolution), said_before);
     if (!scene) return std::nullopt;
   }
-  settled.decisions = decide_effects(*scene, scales, settled.accuracy);
+  settled.decisions = decide_effects(*scene, settled.scales, settled.accuracy);
   settled.scene = std::move(*scene);
   return settled;
 }
@@ -38,7 +38,7 @@ std::optional<Scene> in_other_segments(const SceneText& text, const Settled& set
   variant.changes.segments_per_stitch = segments_per_stitch;
   Diagnostics said_before;
   auto scene = text.compile(variant, said_before);
-  if (scene) decide_effects(*scene, scales_of(scene->fabric, segments_per_stitch), settled.accuracy);
+  if (scene) decide_effects(*scene, settled.scales, settled.accuracy);
   return scene;
 }
 

@@ -11,6 +11,7 @@ struct Settled {
   double accuracy = 0.01;                ///< asked for, or that by which effects are decided
   std::optional<Resolution> resolution;  ///< if an accuracy is asked for
   int segments_written = 0, segments = 0;
+  Scales scales;  ///< of the scene as written, by which all is decided
   std::vector<Decision> decisions;
 };
 

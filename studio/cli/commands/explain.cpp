@@ -39,8 +39,7 @@ int explain_scene(const std::string& path, bool json) {
     fmt::print("{}", choices_json(settled, std::nullopt));
     return success;
   }
-  const Fabric& fabric = session->results.scene.fabric;
-  fmt::print("{}", words_of(scales_of(fabric, settled.segments)));
+  fmt::print("{}", words_of(settled.scales));
   const std::string words = words_of(settled);
   fmt::print("{}", words.empty() ? "Nothing is left open: there is no `accuracy:` and no `effects: auto`\n" : words);
   return success;
