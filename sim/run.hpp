@@ -25,10 +25,10 @@ struct Beginning {
 };
 
 struct RunOptions {
-  std::function<void(const RunStatus&)> progress;  ///< after every accepted step; may be empty
-  std::function<void(const Results&)> save;        ///< after every sample; may be empty
-  const std::atomic<bool>* interrupt = nullptr;    ///< set to stop at the next accepted step
-  std::optional<Beginning> begin{};                ///< of results without snapshots
+  std::function<void(const RunStatus&)> progress{};  ///< after every accepted step; may be empty
+  std::function<void(const Results&)> save{};        ///< after every sample; may be empty
+  const std::atomic<bool>* interrupt = nullptr;      ///< set to stop at the next accepted step
+  std::optional<Beginning> begin{};                  ///< of results without snapshots
 };
 
 enum class Outcome { finished, interrupted, failed };

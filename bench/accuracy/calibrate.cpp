@@ -63,7 +63,7 @@ stages:
 
 /// What one run gave.
 struct Ran {
-  std::optional<Measured> found;
+  std::optional<Measured> found{};
   double processor = 0;  // s
 };
 
@@ -74,20 +74,16 @@ class Subject {
       : source_(*sources_.add(of.name() + ".yaml", text_of(of))), text_(source_, sources_) {
     Results results;
     results.scene = compile(base, {0.015, 0.003, strain / 24});
-    if (run(results, {.progress = {}, .save = {}}) == Outcome::finished) rest_ = rest_of(results);
+    if (run(results, {}) == Outcome::finished) rest_ = rest_of(results);
   }
 
   /// From the common rest. `threshold`: of friction, over that of all others.
   Ran operator()(int segments, const Fineness& fineness, double threshold = 1) {
-    Results results;
-    results.scene = compile(segments, fineness);
-    for_each_effect<Friction>(results.scene, [&](Friction& friction) { friction.threshold *= threshold; });
-    RunOptions options{.progress = {}, .save = {}};
-    if (rest_) options.begin = begin_at(*rest_, results.scene);
-    Outcome outcome = Outcome::failed;
-    const Cost cost = cost_of([&] { outcome = run(results, options); });
-    if (outcome != Outcome::finished) return {std::nullopt, cost.processor};
-    return {measured(results), cost.processor};
+    Scene scene = compile(segments, fineness);
+    for_each_effect<Friction>(scene, [&](Friction& friction) { friction.threshold *= threshold; });
+    Ran ran;
+    ran.processor = cost_of([&] { ran.found = run_from(rest_, scene).measured; }).processor;
+    return ran;
   }
 
  private:

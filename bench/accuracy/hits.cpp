@@ -100,15 +100,6 @@ std::optional<Scene> finer(const SceneText& text, const Settled& settled) {
   return scene;
 }
 
-std::optional<Measured> run_from(const std::optional<Rest>& rest, const Scene& scene) {
-  Results results;
-  results.scene = scene;
-  RunOptions options{.progress = {}, .save = {}};
-  if (rest) options.begin = begin_at(*rest, scene);
-  if (run(results, options) != Outcome::finished) return std::nullopt;
-  return measured(results);
-}
-
 /// One line of the table; whether it is a hit, if that can be said.
 std::optional<bool> try_case(const Case& of, double asked) {
   Sources sources;
@@ -120,13 +111,13 @@ std::optional<bool> try_case(const Case& of, double asked) {
   if (!settled) return std::nullopt;
   Results results;
   results.scene = settled->scene;
-  if (run(results, {.progress = {}, .save = {}}) != Outcome::finished) {
+  if (run(results, {}) != Outcome::finished) {
     fmt::print("| {} | {} | failed: {} |\n", of.name, settled->segments, results.effort.failure);
     return false;
   }
-  const SecondLook second = look_again(text, *settled, results, {.progress = {}, .save = {}});
+  const SecondLook second = look_again(text, *settled, results, {});
   const auto fine = finer(text, *settled);
-  const auto truth = fine ? run_from(rest_of(results), *fine) : std::nullopt;
+  const auto truth = fine ? run_from(rest_of(results), *fine).measured : std::nullopt;
   const Errors error = truth ? difference(measured(results), *truth) : Errors{};
   double seconds = 0;
   for (const Phase& phase : results.phases) seconds += phase.seconds;

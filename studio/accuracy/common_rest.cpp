@@ -57,4 +57,13 @@ std::optional<Beginning> begin_at(const Rest& rest, const Scene& scene) {
   return Beginning{rests_on ? *stage : *stage + 1, std::move(state)};
 }
 
+Found run_from(const std::optional<Rest>& rest, const Scene& scene, RunOptions options) {
+  Results results;
+  results.scene = scene;
+  if (rest) options.begin = begin_at(*rest, scene);
+  const Outcome outcome = run(results, options);
+  if (outcome == Outcome::finished) return {measured(results), {}};
+  return {std::nullopt, outcome == Outcome::interrupted ? "it was interrupted" : results.effort.failure};
+}
+
 }  // namespace wale

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "sim/run.hpp"
+#include "studio/accuracy/measured.hpp"
 
 namespace wale {
 
@@ -21,5 +23,14 @@ std::optional<Rest> rest_of(const Results&);
 /// Lets a scene begin in the stage where it comes to rest, lying as `rest` does; in the one after it, if friction acts
 /// there. Nothing if it has no such stage, or is not the same fabric but for its segments.
 std::optional<Beginning> begin_at(const Rest& rest, const Scene&);
+
+/// What a run gave.
+struct Found {
+  std::optional<Measured> measured;  ///< nothing if it did not get to its end
+  std::string failure;               ///< then why
+};
+
+/// Runs a scene that begins at `rest` as begin_at() says; as compiled if there is none.
+Found run_from(const std::optional<Rest>& rest, const Scene&, RunOptions = {});
 
 }  // namespace wale

@@ -35,6 +35,16 @@ class Trials {
   bool stopped() const { return options_.interrupt && options_.interrupt->load(); }
 
  private:
+  Trial recalled_or_run(const Knob& knob, const Rung& rung) {
+    if (auto before = options_.recall ? options_.recall(knob, rung) : std::nullopt) {
+      ++done_;
+      return *before;
+    }
+    Trial trial = run_once(knob, rung);
+    if (options_.keep && !stopped()) options_.keep(knob, trial);
+    return trial;
+  }
+
   Trial run_once(const Knob& knob, const Rung& rung) {
     if (options_.progress) options_.progress(done_, of_, fmt::format("{} {}", knob.key, rung.label));
     ++done_;
@@ -70,18 +80,14 @@ class Trials {
 
   /// What the whole run found stays if this does not work out.
   void run_from_common_rest(const Scene& scene, Trial& trial) const {
-    if (!rest_) return;
-    Results results;
-    results.scene = scene;
-    RunOptions from_rest = options();
-    from_rest.begin = begin_at(*rest_, scene);
-    if (!from_rest.begin || run(results, from_rest) != Outcome::finished) return;
-    const Measured alone = std::move(*trial.found);
-    trial.found = measured(results);
-    trial.finds_another_rest = rests_apart(difference(alone, *trial.found));
+    if (!rest_ || !begin_at(*rest_, scene)) return;
+    Found from_rest = run_from(rest_, scene, options());
+    if (!from_rest.measured) return;
+    trial.finds_another_rest = rests_apart(difference(*trial.found, *from_rest.measured));
+    trial.found = std::move(from_rest.measured);
   }
 
-  RunOptions options() const { return {.progress = {}, .save = {}, .interrupt = options_.interrupt}; }
+  RunOptions options() const { return {.interrupt = options_.interrupt}; }
 
   const SceneText& text_;
   const StudyOptions& options_;

@@ -181,7 +181,7 @@ TEST(Evaluation, AsksEachEffectThatIsMeantOnceAndNoOther) {
 TEST(Columns, AreOfEffectsThatAreThere) {
   Results results;
   results.scene = scene_with("{stretch: , bend: }");
-  ASSERT_EQ(run(results, {.progress = {}, .save = {}}), Outcome::finished);
+  ASSERT_EQ(run(results, {}), Outcome::finished);
   std::vector<std::string> energies;
   for (const Column& column : results.samples.columns)
     if (column.name.starts_with("energy.") && column.name != "energy.kinetic") energies.push_back(column.name);

@@ -209,12 +209,12 @@ stages:
     ASSERT_TRUE(settled);
     Results chosen, finer;
     chosen.scene = settled->scene;
-    ASSERT_EQ(run(chosen, {.progress = {}, .save = {}}), Outcome::finished);
+    ASSERT_EQ(run(chosen, {}), Outcome::finished);
     finer.scene = in_other_segments(text, *settled, 48).value();
     scale_sampling(finer.scene, 0.5);
     scale_tolerance(finer.scene, StageKind::strained, 0.3);
     scale_samples(finer.scene, 4);
-    RunOptions from_rest{.progress = {}, .save = {}};
+    RunOptions from_rest;
     from_rest.begin = begin_at(rest_of(chosen).value(), finer.scene);
     ASSERT_EQ(run(finer, from_rest), Outcome::finished);
     const double error = difference(measured(chosen), measured(finer))[of_stress];
