@@ -1,7 +1,6 @@
-#include <nlohmann/json.hpp>
-
 #include "studio/accuracy/report.hpp"
 #include "studio/accuracy/sentences.hpp"
+#include "studio/accuracy/trial_json.hpp"
 
 namespace wale {
 namespace {
@@ -14,35 +13,10 @@ Json errors_json(const Errors& errors) {
   return object;
 }
 
-Json found_json(const Measured& found) {
-  Json curves = Json::array();
-  for (const LabelledCurve& each : found.curves)
-    curves.push_back({{"label", each.label}, {"strain", each.curve.strain}, {"stress_Pa", each.curve.stress}});
-  return {{"curves", curves},
-          {"initial_stiffness_Pa", found.features.initial_stiffness},
-          {"transition_strain", found.features.transition_strain},
-          {"course_spacing_m", found.relaxed.course_spacing},
-          {"wale_spacing_m", found.relaxed.wale_spacing},
-          {"stitch_energy_J", found.energy},
-          {"intact", found.intact}};
-}
-
 Json trial_json(const Trial& trial) {
-  Json object{{"value", trial.label},
-              {"size", trial.size},
-              {"as_written", trial.as_written},
-              {"wall_seconds", trial.cost.wall},
-              {"processor_seconds", trial.cost.processor},
-              {"evaluations", trial.cost.evaluations},
-              {"factorizations", trial.cost.factorizations},
-              {"memory_MB", trial.cost.memory},
-              {"finds_another_rest", trial.finds_another_rest},
-              {"rests_elsewhere", trial.rests_elsewhere}};
-  if (!trial.found) {
-    object["failure"] = trial.failure;
-    return object;
-  }
-  object["found"] = found_json(*trial.found);
+  Json object = to_json(trial);
+  object["rests_elsewhere"] = trial.rests_elsewhere;
+  if (!trial.found) return object;
   object["error"] = errors_json(trial.error);
   object["own_error"] = errors_json(trial.own_error);
   return object;

@@ -26,7 +26,7 @@ class Trials {
   }
 
   Trial trial(const Knob& knob, const Rung& rung) {
-    Trial trial = rung.as_written ? *written_ : run_once(knob, rung);
+    Trial trial = rung.as_written ? *written_ : recalled_or_run(knob, rung);
     trial.label = rung.label;
     trial.size = rung.size;
     return trial;

@@ -51,6 +51,9 @@ struct StudyOptions {
   int times = 1;  ///< runs of each, of which the times are medians
   std::function<void(int done, int of, const std::string& what)> progress{};
   const std::atomic<bool>* interrupt = nullptr;
+  /// What a rung gave when it ran before; may be empty. The scene as written always runs, for its rest.
+  std::function<std::optional<Trial>(const Knob&, const Rung&)> recall{};
+  std::function<void(const Knob&, const Trial&)> keep{};  ///< after every other; may be empty
 };
 
 /// Runs the rungs of some knobs, and of `together`, and compares. An interrupted study holds what was done.

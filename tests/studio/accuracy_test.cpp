@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -122,6 +123,35 @@ TEST_F(Accuracy, LeavesATableAnObjectAndAPage) {
   EXPECT_GT(json["knobs"][0]["trials"][0]["factorizations"].get<int>(), 0);
   EXPECT_TRUE(test::read(scratch_.path("out/accuracy.csv")).starts_with("knob,value,size,wall_s,processor_s,"));
   EXPECT_NE(test::read(scratch_.path("out/accuracy.html")).find("</svg>"), std::string::npos);
+}
+
+TEST_F(Accuracy, GoesOnWhereAStudyWasKilled) {
+  const std::vector<std::string> study{"accuracy", scene_, "-o", scratch_.path("out"), "--knob", "segments"};
+  ASSERT_EQ(test::wale(study).exit_code, 0);
+  const auto whole = nlohmann::json::parse(test::read(scratch_.path("out/accuracy.json")));
+  const std::string kept = test::read(scratch_.path("out/trials.jsonl"));
+  scratch_.write("out/trials.jsonl", kept.substr(0, kept.size() - 40));  // as one that was killed while it wrote
+  std::vector<std::string> resume = study;
+  resume.insert(resume.end(), {"--resume", "--progress"});
+  const test::Answer answer = test::wale(resume);
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 2) << "as written, and the last one:\n"
+                                                                       << answer.err;
+  auto resumed = nlohmann::json::parse(test::read(scratch_.path("out/accuracy.json")));
+  for (std::size_t knob = 0; knob < 2; ++knob)
+    for (std::size_t i = 0; i < whole["knobs"][knob]["trials"].size(); ++i)
+      for (const char* what : {"found", "error", "own_error"})
+        EXPECT_EQ(resumed["knobs"][knob]["trials"][i][what], whole["knobs"][knob]["trials"][i][what]);
+}
+
+TEST_F(Accuracy, DoesNotGoOnWithAnotherScene) {
+  ASSERT_EQ(test::wale({"accuracy", scene_, "-o", scratch_.path("out"), "--knob", "law"}).exit_code, 0);
+  const std::string kept = test::read(scratch_.path("out/trials.jsonl"));
+  scratch_.write("chart.yaml", "knit: 1\nwales: 1\nbands: [{stitch: garter, courses: 2}]\n");
+  const test::Answer answer = test::wale({"accuracy", scene_, "-o", scratch_.path("out"), "--resume"});
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_NE(answer.err.find("of another scene"), std::string::npos) << answer.err;
+  EXPECT_EQ(test::read(scratch_.path("out/trials.jsonl")), kept);
 }
 
 TEST_F(Accuracy, NamesTheKnobThatWasMeant) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "compiler/spelling.hpp"
 #include "sim/results/file.hpp"
+#include "studio/accuracy/journal.hpp"
 #include "studio/accuracy/report.hpp"
 #include "studio/accuracy/sentences.hpp"
 #include "studio/cli/commands.hpp"
@@ -24,7 +26,7 @@ namespace {
 struct AccuracyCommand {
   std::string scene, out;
   std::vector<std::string> knobs;
-  bool progress = false, json = false, list = false;
+  bool progress = false, json = false, list = false, resume = false;
   int threads = 1, times = 1;
 };
 
@@ -105,6 +107,22 @@ auto progress_line(bool wanted) {
   };
 }
 
+/// The trials of the folder, from before if they are to be gone on with. Nothing, and said on stderr, if they cannot.
+std::optional<Journal> open_journal(const AccuracyCommand& command, const Read& read) {
+  const std::string path = (std::filesystem::path(command.out) / "trials.jsonl").string();
+  const auto& texts = read.sources.all();
+  try {
+    return Journal(path, {{texts.begin(), texts.end()}, command.threads, command.times}, command.resume);
+  } catch (const std::system_error& error) {
+    complain_unwritable(path, error);
+  } catch (const std::runtime_error& error) {
+    complain(path, error.what(), "leave out --resume to begin anew");
+  } catch (const nlohmann::json::exception&) {
+    complain(path, "this was not written by wale", "leave out --resume to begin anew");
+  }
+  return std::nullopt;
+}
+
 int accuracy_command(const AccuracyCommand& command) {
   const std::atomic<bool>& interrupt = catch_interrupts();
   use_threads(command.threads);
@@ -120,7 +138,11 @@ int accuracy_command(const AccuracyCommand& command) {
     return complain_unwritable(command.out, error);
   }
   keep_asked_for(knobs, command.knobs);
-  const StudyOptions options{command.times, progress_line(command.progress), &interrupt};
+  std::optional<Journal> journal = open_journal(command, *read);
+  if (!journal) return bad_input;
+  const StudyOptions options{command.times, progress_line(command.progress), &interrupt,
+                             [&](const Knob& knob, const Rung& rung) { return journal->find(knob.key, rung.label); },
+                             [&](const Knob& knob, const Trial& trial) { journal->keep(knob.key, trial); }};
   const Study done = study(SceneText(*read->source, read->sources), read->scene->name, std::move(knobs),
                            all_together(*read->parsed), options);
   if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\x1b[K");
@@ -129,7 +151,8 @@ int accuracy_command(const AccuracyCommand& command) {
     fmt::print("{}", accuracy_json(done));
   else
     print_words(done, command.out);
-  if (!done.complete) fmt::print(stderr, "Interrupted; what had run is in {}\n", command.out);
+  if (!done.complete)
+    fmt::print(stderr, "Interrupted; what had run is in {}. Go on with the same command and --resume\n", command.out);
   return done.complete ? success : interrupted;
 }
 
@@ -142,6 +165,7 @@ void add_accuracy(CLI::App& app, int& exit_code) {
   command->add_option("-o,--out", options->out, "The folder for accuracy.html, accuracy.csv and accuracy.json");
   command->add_option("--knob", options->knobs, "Turn only these, and those all together");
   command->add_flag("--list", options->list, "Print the knobs that this scene has, and run nothing");
+  command->add_flag("--resume", options->resume, "Go on with a study that stopped in this folder, or add knobs to it");
   command->add_option("--times", options->times, "Runs of each, of which medians are told")->check(CLI::Range(1, 100));
   command->add_option("--threads", options->threads, "Threads to use; 1 if not given")->check(CLI::Range(1, 1024));
   command->add_flag("--progress", options->progress, "Show progress on stderr even if that is no terminal");
