@@ -107,6 +107,7 @@ void describe_report(Archive in, AnyResults& results) {
   manifest.value("when", results.manifest.when);
   manifest.value("threads", results.manifest.threads);
   if (has(manifest, "accuracy")) manifest.measure("accuracy", "1", results.manifest.accuracy);
+  if (has(manifest, "refinements")) manifest.value("refinements", results.manifest.refinements);
   manifest.field("source_name", "", results.manifest.sources, &Text::name);
   manifest.field("source_text", "", results.manifest.sources, &Text::text);
   auto phases = in.group("phases");

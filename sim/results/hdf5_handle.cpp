@@ -146,9 +146,11 @@ Group Group::open(const std::string& name) const {
 }
 
 bool Group::has(const std::string& name) const {
-  const htri_t found = H5Lexists(group_.id(), name.c_str(), H5P_DEFAULT);
-  check(found, "read " + name);
-  return found > 0;
+  const htri_t linked = H5Lexists(group_.id(), name.c_str(), H5P_DEFAULT);
+  const htri_t attribute = H5Aexists(group_.id(), name.c_str());
+  check(linked, "read " + name);
+  check(attribute, "read " + name);
+  return linked > 0 || attribute > 0;
 }
 
 void Group::write(const std::string& name, const std::vector<double>& values, const std::string& unit) const {

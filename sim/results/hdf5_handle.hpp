@@ -59,7 +59,7 @@ class Group {
   Group view() const { return open("."); }
   Group create(const std::string& name) const;
   Group open(const std::string& name) const;
-  /// Whether there is a group or an array of that name.
+  /// Whether there is a group, an array or an attribute of that name.
   bool has(const std::string& name) const;
 
   /// An array of any rank, row-major, with the attribute `unit` ("" for a plain number). `packed` compresses it.

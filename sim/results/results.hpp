@@ -39,6 +39,7 @@ struct Manifest {
   std::string version, host, when;
   int threads = 1;
   double accuracy = 0;        ///< that was asked for, of the stress over its peak; 0: settings as written
+  int refinements = 0;        ///< times by which settings were made finer than an accuracy at first asks for
   std::vector<Text> sources;  ///< the scene first, then what it read
 };
 
@@ -46,6 +47,12 @@ struct Phase {
   std::string name;  ///< "compile", "tighten", "relax", "pull", "write"
   double seconds = 0;
 };
+/// Of all phases, s.
+inline double total_seconds(const std::vector<Phase>& phases) {
+  double sum = 0;
+  for (const Phase& phase : phases) sum += phase.seconds;
+  return sum;
+}
 
 /// Lengths of a relaxed fabric, m; see sim/results/curves.hpp for how they are measured.
 struct Sizes {

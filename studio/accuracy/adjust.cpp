@@ -14,6 +14,8 @@ void leave_out(Stage& stage) {
   stage.effects = std::move(kept);
 }
 
+bool strains_slowly(const Stage& stage) { return stage.strains() && std::holds_alternative<QuasiStatic>(stage.solver); }
+
 }  // namespace
 
 StageKind kind_of(const Stage& stage) { return stage.grips() ? StageKind::strained : StageKind::at_rest; }
@@ -44,9 +46,13 @@ void scale_tolerance(Scene& scene, StageKind kind, double factor) {
 void scale_samples(Scene& scene, double factor) {
   for (Stage& stage : scene.stages) {
     const double samples = stage.samples * factor;
-    if (stage.strains() && std::holds_alternative<QuasiStatic>(stage.solver) && samples == std::round(samples))
-      stage.samples = static_cast<int>(samples);
+    if (strains_slowly(stage) && samples == std::round(samples)) stage.samples = static_cast<int>(samples);
   }
+}
+
+void halve_samples(Scene& scene) {
+  for (Stage& stage : scene.stages)
+    if (strains_slowly(stage)) stage.samples = (stage.samples + 1) / 2;
 }
 
 void scale_step_error(Scene& scene, double factor) {

@@ -44,6 +44,8 @@ void scale_sampling(Scene&, double factor);
 void scale_tolerance(Scene&, StageKind, double factor);
 /// Of stages that pull or deform quasi-statically; a factor that makes no whole numbers changes nothing.
 void scale_samples(Scene&, double factor);
+/// Likewise, an odd number rounded up.
+void halve_samples(Scene&);
 /// Relative and absolute errors of the solvers that follow a motion.
 void scale_step_error(Scene&, double factor);
 /// Of stages that pull or deform.

@@ -19,17 +19,17 @@ Json resolution_json(const Settled& settled) {
           {"segments_written", settled.segments_written},
           {"sampling", of.fineness.sampling},
           {"residual_over_load", of.fineness.tolerance},
-          {"samples_times", of.samples_times}};
+          {"samples_times", of.samples_times},
+          {"refinements", of.refinements}};
 }
 
-Json second_json(const std::optional<SecondLook>& second) {
-  if (!second) return {};
-  return {{"segments_per_stitch", second->segments},
-          {"estimated_error", optional(second->error)},
-          {"of_the_pull_only", second->of_pull_only},
-          {"failure", second->failure},
-          {"seconds", second->seconds},
-          {"seconds_over_those_of_the_run", second->share_of_run}};
+Json look_json(const SecondLook& look) {
+  return {{"segments_per_stitch", look.segments},
+          {"estimated_error", optional(look.error)},
+          {"of_the_pull_only", look.of_pull_only},
+          {"failure", look.failure},
+          {"seconds", look.seconds},
+          {"seconds_over_those_of_the_run", look.share_of_run}};
 }
 
 Json decision_json(const Decision& of) {
@@ -45,11 +45,19 @@ std::string words_of(const Settled& settled) {
   return settings + words_of(settled.decisions);
 }
 
-std::string choices_json(const Settled& settled, const std::optional<SecondLook>& second) {
-  Json decisions = Json::array();
+std::string choices_json(const Settled& settled, const Refining& refining) {
+  Json decisions = Json::array(), looks = Json::array();
+  for (const SecondLook& look : refining.looks) looks.push_back(look_json(look));
+  Json last;
+  if (!looks.empty()) {
+    last = looks.back();
+    looks.erase(looks.size() - 1);
+  }
   for (const Decision& decision : settled.decisions) decisions.push_back(decision_json(decision));
-  const Json json{
-      {"accuracy", resolution_json(settled)}, {"second_solution", second_json(second)}, {"effects", decisions}};
+  const Json json{{"accuracy", resolution_json(settled)},
+                  {"second_solution", last},
+                  {"before_refinement", looks},
+                  {"effects", decisions}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

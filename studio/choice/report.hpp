@@ -1,17 +1,17 @@
 /// What was chosen for a scene, in words and as one object.
 #pragma once
 
-#include <optional>
 #include <string>
 
-#include "studio/choice/second_look.hpp"
+#include "studio/choice/refinement.hpp"
 
 namespace wale {
 
 /// Settings and decisions; empty if the scene left nothing open.
 std::string words_of(const Settled&);
 
-/// `{accuracy: {asked, expected, estimated, segments_per_stitch, ...}, decisions: [...]}`, in SI units.
-std::string choices_json(const Settled&, const std::optional<SecondLook>&);
+/// `{accuracy: {asked, segments_per_stitch, ...}, second_solution: {...}, before_refinement: [...], effects: [...]}`,
+/// in SI units.
+std::string choices_json(const Settled&, const Refining&);
 
 }  // namespace wale

@@ -115,6 +115,14 @@ Resolution choose_resolution(double asked, const Scales& scales, double strain_a
   return best;
 }
 
+Resolution refined(Resolution of) {
+  of.segments_per_stitch =
+      std::min(2 * static_cast<int>(std::ceil(of.segments_per_stitch * 0.625)), limits::most_segments);
+  of.samples_times *= 2;
+  ++of.refinements;
+  return of;
+}
+
 Variant variant_of(const Resolution& of) {
   Variant variant;
   variant.changes.segments_per_stitch = of.segments_per_stitch;

@@ -20,6 +20,7 @@ struct Resolution {
   double expected = 0;            ///< error: in 9 of 10 scenes of the calibration it was less
   double cost = 0;                ///< see Calibration::costs
   int scenes = 0;                 ///< by how many that is known: those whose reference is known so well
+  int refinements = 0;            ///< see refined()
 
   bool reached() const { return expected <= asked; }
 };
@@ -29,6 +30,10 @@ struct Resolution {
 /// and costs are taken to be powers. `strain_a_sample` is that of the scene as written; 0 if nothing is strained.
 Resolution choose_resolution(double asked, const Scales&, double strain_a_sample,
                              const Calibration& = shipped_calibration());
+
+/// Five quarters of the segments and twice the samples, for a scene that turned out harder than those of the
+/// calibration.
+Resolution refined(Resolution);
 
 /// The scene compiled with these settings in place of its own.
 Variant variant_of(const Resolution&);

@@ -8,7 +8,7 @@
 namespace wale {
 
 struct SecondLook {
-  int segments = 0;               ///< a stitch: two thirds of those of the run
+  int segments = 0;               ///< a stitch: two thirds of those of the run; the samples are half of its
   std::optional<double> error{};  ///< estimated, of the run's stress over its peak; of spacings if nothing was pulled
   bool of_pull_only = false;      ///< friction acted at rest, which depends on how it was reached: that is not in it
   std::string failure{};          ///< why there is no estimate
@@ -19,11 +19,14 @@ struct SecondLook {
 /// Whether there is something to look for: an accuracy was asked for, or a decision was close.
 bool wants_second_look(const Settled&);
 
-/// Begins with the rest that the run found. Sets Decision::seen of those that were close. An error of second order is
-/// assumed, which is more than what is mostly seen. Uses `progress` and `interrupt` of the options.
+/// Begins with the rest that the run found. The error is taken to be no more than the two differ by. Sets
+/// Decision::seen of those that were close. Uses `progress` and `interrupt` of the options.
 SecondLook look_again(const SceneText&, Settled&, const Results& run, const RunOptions&);
 
+/// Whether an accuracy was asked for and the estimate is not below it, or cannot be told.
+bool is_too_far_off(const SecondLook&, const Settled&);
+
 /// A line or two on what was found.
-std::string words_of(const SecondLook&, const Settled&);
+std::string findings(const SecondLook&, const Settled&);
 
 }  // namespace wale

@@ -13,7 +13,8 @@ double strain_a_sample(const Scene& scene) {
 
 }  // namespace
 
-std::optional<Settled> settle(const SceneText& text, std::optional<double> accuracy, Diagnostics& say) {
+std::optional<Settled> settle(const SceneText& text, std::optional<double> accuracy, Diagnostics& say,
+                              int refinements) {
   auto scene = text.compile({}, say);
   if (!scene || say.failed()) return std::nullopt;
   Diagnostics said_before;
@@ -24,6 +25,7 @@ std::optional<Settled> settle(const SceneText& text, std::optional<double> accur
   settled.accuracy = asked.value_or(settled.accuracy);
   if (asked) {
     settled.resolution = choose_resolution(*asked, settled.scales, strain_a_sample(*scene));
+    for (int i = 0; i < refinements; ++i) settled.resolution = refined(*settled.resolution);
     settled.segments = settled.resolution->segments_per_stitch;
     scene = text.compile(variant_of(*settled.resolution), said_before);
     if (!scene) return std::nullopt;

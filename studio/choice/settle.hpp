@@ -18,8 +18,9 @@ struct Settled {
 /// Whether there was anything to decide.
 inline bool leaves_open(const Settled& settled) { return settled.resolution || !settled.decisions.empty(); }
 
-/// Compiles a scene and decides. `accuracy` goes before the scene's own. Nothing if an error was reported.
-std::optional<Settled> settle(const SceneText&, std::optional<double> accuracy, Diagnostics&);
+/// Compiles a scene and decides. `accuracy` goes before the scene's own, and its settings are refined() so many times.
+/// Nothing if an error was reported.
+std::optional<Settled> settle(const SceneText&, std::optional<double> accuracy, Diagnostics&, int refinements = 0);
 
 /// The same scene in other segments, all decisions alike.
 std::optional<Scene> in_other_segments(const SceneText&, const Settled&, int segments_per_stitch);

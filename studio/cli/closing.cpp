@@ -58,9 +58,7 @@ std::string closing_words(const Results& results, const std::string& folder) {
   fmt::format_to(out, "Crossings: {} of {} in every saved state{}\n", results.topology.found, results.topology.expected,
                  results.topology.intact() ? "" : ": YARN PASSED THROUGH YARN");
   fmt::format_to(out, "{}", balance_words(results));
-  double seconds = 0;
-  for (const Phase& phase : results.phases) seconds += phase.seconds;
-  fmt::format_to(out, "Took {:.1f} s. Results in {}:\n", seconds, folder);
+  fmt::format_to(out, "Took {:.1f} s. Results in {}:\n", total_seconds(results.phases), folder);
   for (const Leaving& each : leavings) {
     if (std::filesystem::exists(std::filesystem::path(folder) / each.name)) {
       fmt::format_to(out, "  {:<20} {}\n", each.name, each.use);

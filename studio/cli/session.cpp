@@ -81,7 +81,8 @@ std::optional<Session> resume_run(const std::string& results_path) {
   Diagnostics say;
   std::optional<Settled> settled;
   if (!session.sources->all().empty())
-    settled = settle(session.text(), asked > 0 ? std::optional(asked) : std::nullopt, say);
+    settled =
+        settle(session.text(), asked > 0 ? std::optional(asked) : std::nullopt, say, results.manifest.refinements);
   if (!settled || !same_fabric(settled->scene.fabric, results.scene.fabric)) {
     print_all(say);
     complain(results_path, "the scene stored here no longer compiles to the fabric stored here",

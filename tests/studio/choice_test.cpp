@@ -252,6 +252,33 @@ TEST_F(Choice, OfAnAccuracyIsSaidAndItsErrorEstimated) {
   EXPECT_LT(choices["second_solution"]["segments_per_stitch"], choices["accuracy"]["segments_per_stitch"]);
 }
 
+/// Pulled both ways at once a jersey is harder than most.
+TEST_F(Choice, IsRunAnewFinerWhereItIsNotReached) {
+  const std::string path = scratch_.write("scene.yaml", R"(scene: 1
+accuracy: 5 %
+fabric: {pattern: chart.yaml, periodic: true}
+effects: {stretch: , bend: , contact: }
+stages:
+  - {name: tighten, duration: 1 s, tighten: 100 %, samples: 4}
+  - {name: relax, duration: 1 s, samples: 1}
+  - {name: pull, duration: 5 s, deform: {wale: 40 %, course: 40 %, shear: held}, samples: 20, effects: {friction: }}
+)");
+  const test::Answer answer = test::wale({"run", path, "-o", scratch_.path("out"), "--threads", "1"});
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_NE(answer.out.find("(5 % asked for): run anew with "), std::string::npos) << answer.out;
+  const auto choices = read("out/choices.json"), summary = read("out/summary.json");
+  const int refinements = choices["accuracy"]["refinements"];
+  ASSERT_GE(refinements, 1);
+  EXPECT_EQ(choices["before_refinement"].size(), static_cast<std::size_t>(refinements));
+  EXPECT_GT(choices["before_refinement"][0]["estimated_error"].get<double>(), 0.05);
+  EXPECT_LT(choices["second_solution"]["estimated_error"].get<double>(), 0.05);
+  EXPECT_EQ(summary["accuracy"]["estimated_error"], choices["second_solution"]["estimated_error"]);
+  EXPECT_EQ(summary["curve"]["samples"], 20 * choices["accuracy"]["samples_times"].get<int>() + 1)
+      << "the results are those of the last run";
+  EXPECT_EQ(test::wale({"run", "--resume", scratch_.path("out"), "--threads", "1"}).exit_code, 0);
+  EXPECT_EQ(read("out/choices.json")["accuracy"]["refinements"], refinements) << "the file knows its settings";
+}
+
 TEST_F(Choice, OnTheCommandLineGoesBeforeTheScenes) {
   const std::string path = scene("accuracy: 20 %\neffects: auto");
   ASSERT_EQ(test::wale({"run", path, "-o", scratch_.path("out"), "--accuracy", "2%"}).exit_code, 0);

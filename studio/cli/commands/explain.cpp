@@ -36,7 +36,7 @@ int explain_scene(const std::string& path, bool json) {
   if (!session) return bad_input;
   const Settled& settled = session->settled;
   if (json) {
-    fmt::print("{}", choices_json(settled, std::nullopt));
+    fmt::print("{}", choices_json(settled, Refining{}));
     return success;
   }
   fmt::print("{}", words_of(settled.scales));

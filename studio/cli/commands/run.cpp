@@ -34,10 +34,10 @@ struct RunCommand {
 };
 
 /// The run itself, and what was left to be tried after it.
-Outcome simulate(Session& session, const std::filesystem::path& folder, bool progress,
-                 const std::atomic<bool>& interrupt, std::optional<SecondLook>& second) {
+Outcome simulate(Session& session, const std::filesystem::path& folder, const RunCommand& command,
+                 const std::atomic<bool>& interrupt, Refining& after) {
   Results& results = session.results;
-  ProgressBar bar(progress);
+  ProgressBar bar(command.progress);
   double writing = 0;
   RunOptions options;
   options.progress = [&](const RunStatus& status) { bar.show(status); };
@@ -51,13 +51,17 @@ Outcome simulate(Session& session, const std::filesystem::path& folder, bool pro
   const Outcome outcome = run(results, options);
   if (outcome != Outcome::interrupted) writing += seconds_of([&] { write_pictures(results, folder); });
   results.phases.push_back({"write", writing});
+  write_tables(results, folder);
   if (outcome == Outcome::finished && wants_second_look(session.settled)) {
-    second = look_again(session.text(), session.settled, results, options);
-    results.estimated_error = second->error;
-    results.phases.push_back({"check", second->seconds});
+    after = look_and_refine(session.text(), session.settled, results, options,
+                            [&](const SecondLook& before, const Settled& finer) {
+                              bar.clear();
+                              if (!command.json) fmt::print("{}", announcement(before, finer));
+                            });
+    if (after.looks.size() > 1) write_pictures(results, folder);
+    write_tables(results, folder);
   }
   bar.clear();
-  write_tables(results, folder);
   return outcome;
 }
 
@@ -92,15 +96,15 @@ int run_command(const RunCommand& command) {
     return complain_unwritable(folder.string(), error);
   }
   if (!command.json) fmt::print("{}", words_of(session->settled));
-  std::optional<SecondLook> second;
-  const Outcome outcome = simulate(*session, folder, command.progress, interrupt, second);
+  Refining after;
+  const Outcome outcome = simulate(*session, folder, command, interrupt, after);
   if (leaves_open(session->settled))
-    write_file((folder / "choices.json").string(), choices_json(session->settled, second));
+    write_file((folder / "choices.json").string(), choices_json(session->settled, after));
   if (command.json) {
     fmt::print("{}", summary_json(results));
   } else {
     fmt::print("{}", closing_words(results, folder.string()));
-    if (second) fmt::print("{}", words_of(*second, session->settled));
+    fmt::print("{}", words_of(after, session->settled));
   }
   return tell_outcome(results, outcome, folder.string());
 }

@@ -72,6 +72,7 @@ void expect_same_report(const Results& a, const Results& b) {
   EXPECT_EQ(a.manifest.when, b.manifest.when);
   EXPECT_EQ(a.manifest.threads, b.manifest.threads);
   EXPECT_EQ(a.manifest.accuracy, b.manifest.accuracy);
+  EXPECT_EQ(a.manifest.refinements, b.manifest.refinements);
   ASSERT_EQ(a.manifest.sources.size(), b.manifest.sources.size());
   for (std::size_t i = 0; i < a.manifest.sources.size(); ++i) {
     EXPECT_EQ(a.manifest.sources[i].name, b.manifest.sources[i].name);

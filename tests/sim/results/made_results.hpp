@@ -22,7 +22,7 @@ inline Points random_points(Eigen::Index columns, unsigned seed) {
 inline Results made_results() {
   const MadeJersey made = made_jersey(3, 4);
   Results results;
-  results.manifest = {"0.1.0", "a host", "2020-01-02T03:04:05Z", 2, 0.01, {{"a.yaml", "chart: ü\n"}, {"b.yaml", ""}}};
+  results.manifest = {"0.1.0", "a host", "2020-01-02T03:04:05Z", 2, 0.01, 1, {{"a.yaml", "chart: ü\n"}, {"b.yaml", ""}}};
   results.scene.name = "swatch";
   results.scene.fabric = made.fabric;
   results.scene.fabric.materials.push_back({"soft", 1e-6, 2, 3e-9, 0.1 + 0.2, ContactLaw::core_shell, 5, 1e-4, 2.5});
