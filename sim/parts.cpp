@@ -4,16 +4,16 @@
 
 namespace wale {
 
-std::shared_ptr<Beads> Parts::beads(double sampling, double screening) {
-  auto& made = made_beads[{sampling, screening}];
-  if (!made) made = std::make_shared<Beads>(fabric, sampling, screening);
+std::shared_ptr<Beads> Parts::beads(double sampling, double screening, double skin) {
+  auto& made = made_beads[{sampling, screening, skin}];
+  if (!made) made = std::make_shared<Beads>(fabric, sampling, screening, skin);
   return made;
 }
 
-std::shared_ptr<Beads> Parts::dissipative_beads(double sampling, double screening) {
-  if (!lagged) return beads(sampling, screening);
-  auto& made = made_lagged_beads[{sampling, screening}];
-  if (!made) made = std::make_shared<Beads>(fabric, sampling, screening);
+std::shared_ptr<Beads> Parts::dissipative_beads(double sampling, double screening, double skin) {
+  if (!lagged) return beads(sampling, screening, skin);
+  auto& made = made_lagged_beads[{sampling, screening, skin}];
+  if (!made) made = std::make_shared<Beads>(fabric, sampling, screening, skin);
   return made;
 }
 

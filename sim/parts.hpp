@@ -1,9 +1,9 @@
 /// What effects are made from: the fabric, the stage's rest length, the state at its start, and shared machinery.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
-#include <utility>
 
 #include "sim/effect.hpp"
 #include "sim/rest_length.hpp"
@@ -18,16 +18,15 @@ struct Parts {
   const RestSchedules& rest;
   const State& start;  ///< where the stage begins
 
-  /// The contact beads for this sampling and screening, made when first asked for and shared by contact and its
-  /// damping.
-  std::shared_ptr<Beads> beads(double sampling, double screening);
+  /// The contact beads of an effect (see Contact), made when first asked for and shared by all that are alike.
+  std::shared_ptr<Beads> beads(double sampling, double screening, double skin);
   /// Those for effects that depend on velocity: the same, unless `lagged`.
-  std::shared_ptr<Beads> dissipative_beads(double sampling, double screening);
+  std::shared_ptr<Beads> dissipative_beads(double sampling, double screening, double skin);
 
   /// Whether effects that depend on velocity are asked about the positions where a step began, while the others are
   /// asked about those where it ends.
   bool lagged = false;
-  std::map<std::pair<double, double>, std::shared_ptr<Beads>> made_beads{}, made_lagged_beads{};
+  std::map<std::array<double, 3>, std::shared_ptr<Beads>> made_beads{}, made_lagged_beads{};
 };
 
 /// One factory an effect, beside its physics in sim/effects/.

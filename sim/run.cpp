@@ -6,6 +6,7 @@
 
 #include "sim/clasps.hpp"
 #include "sim/deform.hpp"
+#include "sim/detour.hpp"
 #include "sim/effects/beads.hpp"
 #include "sim/mount.hpp"
 #include "sim/results/curves.hpp"
@@ -160,8 +161,43 @@ class Run {
     return travels;
   }
 
-  /// Each sample starts from nothing but its state, so that a resumed run does as an uninterrupted one.
+  /// To `t`, if need be from where another contact law is balanced there.
   Outcome until(int index, const StageSetup& setup, double t, State& state) {
+    const Outcome outcome = straight_to(index, setup, t, state);
+    if (outcome != Outcome::failed) return outcome;
+    const std::string failure = results_.effort.failure;
+    State beside = state;
+    if (take_detour(index, t, beside) && straight_to(index, setup, t, beside) == Outcome::finished) {
+      ++results_.effort.retries.detoured;
+      state = std::move(beside);
+      return Outcome::finished;
+    }
+    results_.effort.failure = failure;
+    return Outcome::failed;
+  }
+
+  /// Moves `state` to where it would be balanced at `t` by another law, but leaves it at its own time.
+  bool take_detour(int index, double t, State& state) {
+    const Stage& stage = stage_at(index);
+    const auto* spec = std::get_if<QuasiStatic>(&stage.solver);
+    const std::optional<Scene> other = spec ? by_another_law(results_.scene, stage) : std::nullopt;
+    if (!other) return false;
+    const StageSetup setup(*other, stage, start_of(index), rest_lengths_before(results_.scene, index), results_.relaxed,
+                           travels_to(index));
+    const auto world = setup.world();
+    world->heed(options_.interrupt);
+    const auto solver = make(timed(*spec, stage.duration), *world, state);
+    Progress progress = Progress::stepped;
+    while (progress == Progress::stepped && !world->interrupted()) progress = solver->advance(t);
+    add_effort(solver->effort());
+    if (progress != Progress::arrived) return false;
+    state.q = solver->state().q;
+    state.v.setZero();
+    return true;
+  }
+
+  /// Each sample starts from nothing but its state, so that a resumed run does as an uninterrupted one.
+  Outcome straight_to(int index, const StageSetup& setup, double t, State& state) {
     const auto world = setup.world();
     world->heed(options_.interrupt);
     const auto solver =
@@ -226,6 +262,7 @@ class Run {
     results_.effort.retries.halved += effort.retries.halved;
     results_.effort.retries.continued += effort.retries.continued;
     results_.effort.retries.damped += effort.retries.damped;
+    results_.effort.retries.detoured += effort.retries.detoured;
     results_.effort.failure = effort.failure;
   }
 

@@ -19,6 +19,7 @@ struct Retries {
   long halved = 0;     ///< shorter
   long continued = 0;  ///< on from where they got, as the load stays
   long damped = 0;     ///< held back by inertia, once they could not be shorter
+  long detoured = 0;   ///< with success, from where another contact law is balanced
 };
 
 /// What a run has cost so far.

@@ -8,8 +8,8 @@
 namespace wale {
 namespace {
 
-constexpr Range samplings{1e-4, 0.5}, screenings{0.5, 20}, tolerances{1e-14, 0.1}, residuals{1e-14, 1e3},
-    shares{1e-12, 1};
+constexpr Range samplings{1e-4, 0.5}, screenings{0.5, 20}, skins{0.01, 5}, tolerances{1e-14, 0.1},
+    residuals{1e-14, 1e3}, shares{1e-12, 1};
 constexpr int most_nodes = 5;
 
 Stretch read_stretch(const YamlNode& node, Diagnostics& say) {
@@ -56,9 +56,10 @@ Drag read_drag(const YamlNode& node, Mentions& mentions, Diagnostics& say) {
 
 Contact read_contact(const YamlNode& node, Diagnostics& say) {
   Contact spec;
-  const Settings settings(node, "contact", {"sampling", "screening", "inflate_beads"}, say);
+  const Settings settings(node, "contact", {"sampling", "screening", "skin", "inflate_beads"}, say);
   settings.quantity("sampling", dimensions::ratio, samplings, spec.sampling);
   settings.quantity("screening", dimensions::ratio, screenings, spec.screening);
+  settings.quantity("skin", dimensions::ratio, skins, spec.skin);
   settings.flag("inflate_beads", spec.inflate_beads);
   return spec;
 }
@@ -66,21 +67,23 @@ Contact read_contact(const YamlNode& node, Diagnostics& say) {
 ContactDamping read_contact_damping(const YamlNode& node, Diagnostics& say) {
   constexpr Range coefficients{0, 1e12};
   ContactDamping spec;
-  const Settings settings(node, "contact_damping", {"tangential", "normal", "sampling", "screening"}, say);
+  const Settings settings(node, "contact_damping", {"tangential", "normal", "sampling", "screening", "skin"}, say);
   settings.quantity("tangential", dimensions::contact_damping, coefficients, spec.tangential);
   settings.quantity("normal", dimensions::contact_damping, coefficients, spec.normal);
   settings.quantity("sampling", dimensions::ratio, samplings, spec.sampling);
   settings.quantity("screening", dimensions::ratio, screenings, spec.screening);
+  settings.quantity("skin", dimensions::ratio, skins, spec.skin);
   return spec;
 }
 
 Friction read_friction(const YamlNode& node, Diagnostics& say) {
   Friction spec;
-  const Settings settings(node, "friction", {"coefficient", "threshold", "sampling", "screening"}, say);
+  const Settings settings(node, "friction", {"coefficient", "threshold", "sampling", "screening", "skin"}, say);
   settings.quantity("coefficient", dimensions::ratio, {0, 10}, spec.coefficient);
   settings.quantity("threshold", dimensions::speed, {1e-12, 100}, spec.threshold);
   settings.quantity("sampling", dimensions::ratio, samplings, spec.sampling);
   settings.quantity("screening", dimensions::ratio, screenings, spec.screening);
+  settings.quantity("skin", dimensions::ratio, skins, spec.skin);
   return spec;
 }
 

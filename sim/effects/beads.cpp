@@ -11,7 +11,6 @@ namespace wale {
 namespace {
 
 /// Of the diameter: wide enough that a list lasts for several solver steps, narrow enough that it stays short.
-constexpr double skin_share = 0.4;
 
 /// Ranges of segments: enough for many threads, but not so short that most contacts reach out of them.
 std::vector<int> even_boundaries(int segments) {
@@ -31,7 +30,8 @@ double inflated_diameter(double diameter, double spacing) {
   return (diameter + std::sqrt(diameter * diameter + 2.0 / 3 * spacing * spacing)) / 2;
 }
 
-Beads::Beads(const Fabric& fabric, double alpha, double screening) : fabric_(fabric), screening_(screening) {
+Beads::Beads(const Fabric& fabric, double alpha, double screening, double skin)
+    : fabric_(fabric), screening_(screening) {
   double widest = 0, arc = 0;
   for (int i = 0; i < fabric.segment_count(); ++i) {
     const Segment& segment = fabric.segment(i);
@@ -48,7 +48,7 @@ Beads::Beads(const Fabric& fabric, double alpha, double screening) : fabric_(fab
     if (bases_[index(n)].empty())
       for (int k = 0; k < n; ++k) bases_[index(n)].push_back(basis((2.0 * k + 1) / (2 * n)));
   }
-  skin_ = skin_share * widest;
+  skin_ = skin * widest;
   reach_ = widest + skin_;
   set_up_kernels();
 }

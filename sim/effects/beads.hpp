@@ -30,7 +30,8 @@ struct SegmentPair {
 /// also touch what lies some periods on.
 class Beads {
  public:
-  Beads(const Fabric&, double alpha, double screening);
+  /// `skin` over the largest diameter, more than 0.
+  Beads(const Fabric&, double alpha, double screening, double skin);
 
   /// Renews the list if beads have moved too far since it was made. Measures every pair.
   void prepare(const Points& q);

@@ -28,7 +28,7 @@ struct Repulsion {
 
 std::unique_ptr<Effect> make(const Contact& spec, Parts& parts) {
   return std::make_unique<BetweenYarns<Repulsion>>(Repulsion{spec.inflate_beads}, parts,
-                                                   parts.beads(spec.sampling, spec.screening));
+                                                   parts.beads(spec.sampling, spec.screening, spec.skin));
 }
 
 }  // namespace wale

@@ -25,7 +25,7 @@ struct ViscousTouch {
 
 std::unique_ptr<Effect> make(const ContactDamping& spec, Parts& parts) {
   return std::make_unique<BetweenYarns<ViscousTouch>>(ViscousTouch{spec.tangential, spec.normal}, parts,
-                                                      parts.dissipative_beads(spec.sampling, spec.screening));
+                                                      parts.dissipative_beads(spec.sampling, spec.screening, spec.skin));
 }
 
 }  // namespace wale

@@ -41,7 +41,7 @@ struct Rubbing {
 
 std::unique_ptr<Effect> make(const Friction& spec, Parts& parts) {
   return std::make_unique<BetweenYarns<Rubbing>>(Rubbing{spec.coefficient, spec.threshold}, parts,
-                                                 parts.dissipative_beads(spec.sampling, spec.screening));
+                                                 parts.dissipative_beads(spec.sampling, spec.screening, spec.skin));
 }
 
 }  // namespace wale

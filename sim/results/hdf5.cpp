@@ -130,6 +130,7 @@ void describe_report(Archive in, AnyResults& results) {
     retries.value("halved", results.effort.retries.halved);
     retries.value("continued", results.effort.retries.continued);
     retries.value("damped", results.effort.retries.damped);
+    if (has(retries, "detoured")) retries.value("detoured", results.effort.retries.detoured);
   }
   auto topology = in.group("topology");
   topology.value("expected", results.topology.expected);

@@ -42,13 +42,15 @@ Json wall_seconds(const Results& results) {
 }
 
 Json solver(const Effort& effort) {
-  Json json{
-      {"steps", effort.accepted},
-      {"rejected", effort.rejected},
-      {"retries",
-       {{"halved", effort.retries.halved}, {"continued", effort.retries.continued}, {"damped", effort.retries.damped}}},
-      {"evaluations", effort.evaluations},
-      {"factorizations", effort.factorizations}};
+  Json json{{"steps", effort.accepted},
+            {"rejected", effort.rejected},
+            {"retries",
+             {{"halved", effort.retries.halved},
+              {"continued", effort.retries.continued},
+              {"damped", effort.retries.damped},
+              {"detoured", effort.retries.detoured}}},
+            {"evaluations", effort.evaluations},
+            {"factorizations", effort.factorizations}};
   if (!effort.failure.empty()) json["failure"] = effort.failure;
   return json;
 }

@@ -14,6 +14,13 @@ void leave_out(Stage& stage) {
   stage.effects = std::move(kept);
 }
 
+template <class Change>
+void for_each_by_beads(Scene& scene, Change change) {
+  for_each_effect<Contact>(scene, change);
+  for_each_effect<ContactDamping>(scene, change);
+  for_each_effect<Friction>(scene, change);
+}
+
 bool strains_slowly(const Stage& stage) { return stage.strains() && std::holds_alternative<QuasiStatic>(stage.solver); }
 
 }  // namespace
@@ -28,10 +35,11 @@ const Stage* last_strained_stage(const Scene& scene) {
 }
 
 void scale_sampling(Scene& scene, double factor) {
-  const auto scale = [factor](auto& effect) { effect.sampling *= factor; };
-  for_each_effect<Contact>(scene, scale);
-  for_each_effect<ContactDamping>(scene, scale);
-  for_each_effect<Friction>(scene, scale);
+  for_each_by_beads(scene, [factor](auto& effect) { effect.sampling *= factor; });
+}
+
+void scale_skin(Scene& scene, double factor) {
+  for_each_by_beads(scene, [factor](auto& effect) { effect.skin *= factor; });
 }
 
 void scale_tolerance(Scene& scene, StageKind kind, double factor) {

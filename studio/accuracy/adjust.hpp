@@ -40,6 +40,8 @@ void for_each_effect(Scene& scene, Change change) {
 
 /// Of every effect that goes by contact beads.
 void scale_sampling(Scene&, double factor);
+/// Likewise.
+void scale_skin(Scene&, double factor);
 /// Both tolerances of quasi-static stages of that kind.
 void scale_tolerance(Scene&, StageKind, double factor);
 /// Of stages that pull or deform quasi-statically; a factor that makes no whole numbers changes nothing.

@@ -64,6 +64,15 @@ Knob sampling(double written) {
   return knob;
 }
 
+Knob skin(double written) {
+  Knob knob{"skin", "of a diameter beyond touching that near segments are listed", Knob::Kind::choice};
+  knob.rungs = scaled({0.25, 0.5, 1, 2, 4}, [&](double factor) {
+    return rung(fmt::format("{:.3g} %", 100 * written * factor), 0,
+                [factor](Scene& scene) { scale_skin(scene, factor); });
+  });
+  return knob;
+}
+
 Knob law(ContactLaw written) {
   Knob knob{"law", "contact law", Knob::Kind::choice};
   for (const ContactLaw law : {ContactLaw::barrier, ContactLaw::quadratic, ContactLaw::core_shell}) {
@@ -222,6 +231,7 @@ std::vector<Knob> knobs_of(const ParsedScene& parsed, const Scene& scene, bool o
     knobs.push_back(nodes<Bend>("bend_nodes", "nodes a segment for bending", 4, effect->nodes));
   if (const Contact* effect = find_effect<Contact>(scene)) {
     knobs.push_back(sampling(effect->sampling));
+    knobs.push_back(skin(effect->skin));
     knobs.push_back(law(scene.fabric.materials.front().law));
     knobs.push_back(contact_stiffness(scene.fabric.materials.front().contact_stiffness));
   }

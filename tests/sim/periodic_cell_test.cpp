@@ -80,7 +80,7 @@ double largest(const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().maxCoef
 
 /// How many pairs of segments touch, by periods between them.
 std::map<std::pair<int, int>, int> touching(const Cell& cell) {
-  Beads beads(cell.fabric, 0.03, 1.6);
+  Beads beads(cell.fabric, 0.03, 1.6, 0.4);
   beads.prepare(cell.q());
   EXPECT_GT(beads.closest(), 0.3);
   std::map<std::pair<int, int>, int> count;

@@ -44,5 +44,15 @@ TEST(DampedStart, FindsEquilibriaThatNoStepIsShortEnoughFor) {
   EXPECT_GT(results.effort.retries.damped, 1) << "all but the last were of use";
 }
 
+/// Left to itself the core and shell law finds no equilibrium there: what touches a core stops at once.
+TEST(AnotherLawsStart, FindsEquilibriaThatTheLawItselfDoesNot) {
+  const OneThread one;
+  Results results;
+  const auto hard =
+      hard_scene(hard_case("overhand knot tightened"), 5, SolverKind::quasi_static, ContactLaw::core_shell);
+  EXPECT_EQ(attempt(hard, results).end, Verdict::End::held);
+  EXPECT_GT(results.effort.retries.detoured, 0);
+}
+
 }  // namespace
 }  // namespace wale::stability

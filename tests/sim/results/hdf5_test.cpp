@@ -91,6 +91,7 @@ void expect_same_report(const Results& a, const Results& b) {
   EXPECT_EQ(a.effort.retries.halved, b.effort.retries.halved);
   EXPECT_EQ(a.effort.retries.continued, b.effort.retries.continued);
   EXPECT_EQ(a.effort.retries.damped, b.effort.retries.damped);
+  EXPECT_EQ(a.effort.retries.detoured, b.effort.retries.detoured);
   EXPECT_EQ(a.effort.failure, b.effort.failure);
   EXPECT_EQ(a.topology.expected, b.topology.expected);
   EXPECT_EQ(a.topology.found, b.topology.found);
