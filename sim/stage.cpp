@@ -10,14 +10,11 @@ namespace {
 
 constexpr const char* grip_labels[] = {"grip.start", "grip.end"};
 
-/// The mean ratio of knitted to laid rest length: by so much a held fabric is let shrink while it is tightened.
-double mean_shrinkage(const Fabric& fabric) {
-  double laid = 0, knitted = 0;
-  for (const Segment& segment : fabric.segments) {
-    laid += segment.length;
-    knitted += segment.knitted;
-  }
-  return knitted / laid;
+/// Of all yarn, m.
+double length_of(const Fabric& fabric, const RestLengths& rest) {
+  double sum = 0;
+  for (const Segment& segment : fabric.segments) sum += rest.of(segment);
+  return sum;
 }
 
 /// What the fabric presses on an obstacle.
@@ -73,11 +70,10 @@ void StageSetup::guide_periods() {
   gauge_length_ = stage_.pull && stage_.pull->along == Along::course ? periods(0, 0) : periods(1, 1);
 }
 
+/// By as much as the yarn becomes shorter the held ends come nearer, and each end becomes narrower.
 void StageSetup::hold_ends() {
   const Points& q = start_.q;
-  const double from = rest_.tightening(0), to = rest_.tightening(stage_.duration),
-               share = mean_shrinkage(scene_.fabric);
-  const double shrink = (1 + to * (share - 1)) / (1 + from * (share - 1));
+  const double shrink = length_of(scene_.fabric, rest_(stage_.duration)) / length_of(scene_.fabric, rest_(0));
   const Vec3 centre = (q.rowwise().minCoeff() + q.rowwise().maxCoeff()) / 2;
   for (std::size_t end = 0; end < 2; ++end) {
     Tether grip = grip_on(Along::wale, end);

@@ -62,6 +62,18 @@ TEST(Shrink, LastsUntilAStageSaysOtherwise) {
       EXPECT_NEAR(strain, 0, 1e-7);
 }
 
+TEST(Shrink, TakesHeldEndsAlong) {
+  const OneThread one_thread;
+  Stage stage = shrinking({{{}, 0.2}});
+  stage.hold = Hold::ends;
+  Results results;
+  results.scene.fabric = straight_rod(length, segments);
+  results.scene.gauge.wale_ends = {{{0}, {segments - 1}}};
+  results.scene.stages = {stage};
+  ASSERT_EQ(run(results, {}), Outcome::finished) << results.effort.failure;
+  EXPECT_NEAR(reach(results.scene.fabric, results.snapshots.back().state.q, 0), 0.8 * length, 1e-8 * length);
+}
+
 /// Two yarns side by side, tied at both ends; the first of them shrinks.
 TEST(Shrink, SharesItsLoadWithTheYarnThatItIsTiedToByTheirStiffnesses) {
   Fabric fabric;
