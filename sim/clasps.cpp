@@ -10,11 +10,11 @@ namespace wale {
 
 namespace {
 
-constexpr int per_segment = 4;  // points of a polyline
-constexpr double clasped_or_across = 0.5;
-constexpr double centred = 1.5;  // of 2 crossings: where there are so many, the pieces need not be moved
-constexpr int longest_look = 3;  // segments, to look past a count that stays equal
-constexpr int most_cut_off = 2;  // segments, of each end of a piece
+constexpr int per_segment = 4;             // points of a polyline
+constexpr double clasped_or_across = 0.5;  // of 2: from there up to what is surely clasped, links() decides
+constexpr double centred = 1.5;            // of 2 crossings: where there are so many, the pieces need not be moved
+constexpr int longest_look = 3;            // segments, to look past a count that stays equal
+constexpr int most_cut_off = 2;            // segments, of each end of a piece
 
 /// Yarn that may have slid from one state to the next, segments.
 int reach(int first, int last) { return (last - first + 1) / 4; }
