@@ -1,5 +1,6 @@
 #include "sim/clasps.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "sim/net_crossing.hpp"
@@ -9,12 +10,20 @@ namespace wale {
 
 namespace {
 
-constexpr int per_segment = 4;   // points of a polyline
-constexpr double centred = 1.5;  // of 2 crossings: where there are so many, the pieces need not be moved
-constexpr int longest_look = 3;  // segments, to look past a count that stays equal
+constexpr int per_segment = 4;             // points of a polyline
+constexpr double clasped_or_across = 0.5;  // of 2: from there up to what is surely clasped, links() decides
+constexpr double centred = 1.5;            // of 2 crossings: where there are so many, the pieces need not be moved
+constexpr int longest_look = 3;            // segments, to look past a count that stays equal
+constexpr int most_cut_off = 2;            // segments, of each end of a piece
 
 /// Yarn that may have slid from one state to the next, segments.
 int reach(int first, int last) { return (last - first + 1) / 4; }
+
+Points closed(const Points& line) {
+  Points ring(3, line.cols() + 1);
+  ring << line, line.col(0);
+  return ring;
+}
 
 }  // namespace
 
@@ -28,6 +37,21 @@ double Clasps::count(const Crossing& of, const Place& at, const Points& q) const
   const Points loop = polyline(fabric_, q, of.loop_first + at.loop, of.loop_last + at.loop, per_segment);
   const Points side = polyline(fabric_, q, of.side_first + at.side, of.side_last + at.side, per_segment);
   return of.sign * mean_net_crossing(side, loop);
+}
+
+/// A loop that gave yarn to others is shorter than the pieces, whose ends then cross back: a clasp counts down to 1, as
+/// yarn does that only lies across. These are told apart by whether the side goes through the loop closed by its chord,
+/// or links with it once closed itself, without those ends.
+bool Clasps::links(const Crossing& of, const Place& at, const Points& q) const {
+  const int shorter = std::min(of.side_last - of.side_first, of.loop_last - of.loop_first);
+  for (int cut = 0; cut <= most_cut_off && 2 * cut < shorter; ++cut) {
+    const auto piece = [&](int first, int last) { return polyline(fabric_, q, first + cut, last - cut, per_segment); };
+    const Points loop = closed(piece(of.loop_first + at.loop, of.loop_last + at.loop));
+    const Points side = piece(of.side_first + at.side, of.side_last + at.side);
+    if (of.sign * mean_net_crossing(side, loop) >= surely_clasped) return true;
+    if (of.sign * mean_net_crossing(closed(side), loop) >= surely_clasped) return true;
+  }
+  return false;
 }
 
 bool Clasps::within_yarn(const Crossing& of, const Place& at) const {
@@ -66,7 +90,10 @@ bool crosses_twice(const Fabric& fabric, const Crossing& of, const Points& q, co
 
 std::vector<bool> Clasps::follow(const Points& q) {
   std::vector<bool> held(crossings_.size());
-  for (std::size_t i = 0; i < crossings_.size(); ++i) held[i] = climb(crossings_[i], places_[i], q) >= surely_clasped;
+  for (std::size_t i = 0; i < crossings_.size(); ++i) {
+    const double counted = climb(crossings_[i], places_[i], q);
+    held[i] = counted >= surely_clasped || (counted >= clasped_or_across && links(crossings_[i], places_[i], q));
+  }
   return held;
 }
 

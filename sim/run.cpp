@@ -30,6 +30,8 @@ QuasiStatic timed(QuasiStatic spec, double duration) {
 RungeKutta timed(const RungeKutta& spec, double) { return spec; }
 Implicit timed(const Implicit& spec, double) { return spec; }
 
+double furthest(const Points& from, const Points& to) { return (to - from).colwise().norm().maxCoeff(); }
+
 /// Runs one scene into one Results, from wherever its snapshots end.
 class Run {
  public:
@@ -58,6 +60,12 @@ class Run {
   }
 
  private:
+  /// Where clasps_ looked, and what it found.
+  struct Looked {
+    Points at;
+    Clasps::Places places;
+  };
+
   /// As Scene::crossings count segments.
   static Fabric plain(const Fabric& fabric, const Points& q) {
     return fabric.cell ? tile(fabric, q, repeats_for_crossings, repeats_for_crossings) : fabric;
@@ -68,11 +76,19 @@ class Run {
     return clasps_.follow(fabric.cell ? plain(fabric, q).points : q);
   }
 
-  /// For the many short steps of a motion: a loop is several diameters of yarn long, so that little can have slid where
-  /// nothing has moved by half of one.
-  void keep_up(const Points& q) {
-    if (followed_.cols() == q.cols() && (q - followed_).colwise().norm().maxCoeff() < half_diameter_) return;
-    follow(q);
+  /// A loop is several diameters of yarn long, so that little can have slid where nothing has moved by half of one, but
+  /// for what all of the fabric does.
+  bool slid(const Points& q) const {
+    return furthest(followed_, q) >= half_diameter_ && uneven_motion(followed_, q - followed_) >= half_diameter_;
+  }
+
+  /// Of a step on its way to `q`. One that was given up is tried anew from `before`.
+  void keep_up(const Points& q, const Looked& before) {
+    if (furthest(before.at, q) < furthest(followed_, q)) {
+      clasps_.go_back(before.places);
+      followed_ = before.at;
+    }
+    if (slid(q)) follow(q);
   }
 
   const Stage& stage_at(int index) const { return results_.scene.stages[static_cast<std::size_t>(index)]; }
@@ -204,11 +220,14 @@ class Run {
         std::visit([&](const auto& spec) { return make(timed(spec, stage_at(index).duration), *world, state); },
                    stage_at(index).solver);
     Outcome outcome = Outcome::finished;
+    Looked before;
+    world->watch([&](const Points& q) { keep_up(q, before); });
     while (true) {
+      before = {followed_, clasps_.places()};
       const Progress progress = solver->advance(t);
+      keep_up(solver->state().q, before);
       state = solver->state();
       residual_ = solver->residual();
-      if (progress == Progress::stepped) keep_up(state.q);
       tell(index, state.t);
       if (progress == Progress::failed) outcome = Outcome::failed;
       if (progress != Progress::stepped) break;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -46,6 +47,13 @@ class World {
   void heed(const std::atomic<bool>* interrupt) { interrupt_ = interrupt; }
   bool interrupted() const { return interrupt_ && interrupt_->load(); }
 
+  /// A solver shows where it goes within a step, so often that no yarn slides past another unseen. A step that it gives
+  /// up is shown as well, and the next try begins where that began. `watcher` may be empty.
+  void watch(std::function<void(const Points&)> watcher) { watcher_ = std::move(watcher); }
+  void show(const Points& q) const {
+    if (watcher_) watcher_(q);
+  }
+
   const Fabric& fabric() const { return fabric_; }
   const Ties& ties() const { return ties_; }
   const PeriodGuide& guide() const { return guide_; }
@@ -69,6 +77,7 @@ class World {
   Constraints constraints_;
   std::vector<std::unique_ptr<Effect>> effects_;
   const std::atomic<bool>* interrupt_ = nullptr;
+  std::function<void(const Points&)> watcher_;
 };
 
 /// The start of a run: control points as the compiler laid them, at rest; of a periodic fabric also its periods, as two

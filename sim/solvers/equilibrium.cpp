@@ -210,6 +210,7 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
     if (good) {
       now = std::move(trial);
       state = now.state;
+      world_.show(state.q);
       factored = false;
     } else {
       increment_.prepare(now.state);

@@ -56,7 +56,7 @@ std::string closing_words(const Results& results, const std::string& folder) {
   if (curve.strain.size() > 1) fmt::format_to(out, "{}\n", terminal_plot(curve));
   if (results.relaxed.length > 0) fmt::format_to(out, "{}", sizes(results.relaxed));
   fmt::format_to(out, "Crossings: {} of {} in every saved state{}\n", results.topology.found, results.topology.expected,
-                 results.topology.intact() ? "" : ": YARN PASSED THROUGH YARN");
+                 results.topology.intact() ? "" : ": LOOPS CAME OUT, off an end of their yarn or through yarn");
   fmt::format_to(out, "{}", balance_words(results));
   fmt::format_to(out, "Took {:.1f} s. Results in {}:\n", total_seconds(results.phases), folder);
   for (const Leaving& each : leavings) {

@@ -50,6 +50,16 @@ TEST(HardRuns, HaveTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+/// Within one step the middle of a swatch falls by several stitches, and draws its yarn from other loops.
+TEST(HardRuns, FollowLoopsThroughAStepInWhichTheirYarnGoesToOthers) {
+  const OneThread one;
+  const HardScene hard =
+      hard_scene(hard_case("swatch under its weight"), 1e5, SolverKind::quasi_static, ContactLaw::barrier);
+  Results results;
+  EXPECT_TRUE(attempt(hard, results).held());
+  EXPECT_EQ(results.topology.found, results.topology.expected);
+}
+
 TEST(HardRuns, GoOnWithTheSameBitsFromWhereverTheyWereStopped) {
   const OneThread one;
   for (const auto& [name, rung] : some_cases)
