@@ -183,64 +183,63 @@ class Run {
     if (outcome != Outcome::failed) return outcome;
     const std::string failure = results_.effort.failure;
     State beside = state;
-    if (take_detour(index, t, beside) && straight_to(index, setup, t, beside) == Outcome::finished) {
+    Outcome detour = take_detour(index, t, beside);
+    if (detour == Outcome::finished) detour = straight_to(index, setup, t, beside);
+    if (detour == Outcome::finished) {
       ++results_.effort.retries.detoured;
       state = std::move(beside);
-      return Outcome::finished;
+    } else if (detour == Outcome::failed) {
+      results_.effort.failure = failure;
     }
-    results_.effort.failure = failure;
-    return Outcome::failed;
+    return detour;
   }
 
   /// Moves `state` to where it would be balanced at `t` by another law, but leaves it at its own time.
-  bool take_detour(int index, double t, State& state) {
+  Outcome take_detour(int index, double t, State& state) {
     const Stage& stage = stage_at(index);
     const auto* spec = std::get_if<QuasiStatic>(&stage.solver);
     const std::optional<Scene> other = spec ? by_another_law(results_.scene, stage) : std::nullopt;
-    if (!other) return false;
+    if (!other) return Outcome::failed;
     const StageSetup setup(*other, stage, start_of(index), rest_lengths_before(results_.scene, index), results_.relaxed,
                            travels_to(index));
     const auto world = setup.world();
-    world->heed(options_.interrupt);
     const auto solver = make(timed(*spec, stage.duration), *world, state);
-    Progress progress = Progress::stepped;
-    while (progress == Progress::stepped && !world->interrupted()) progress = solver->advance(t);
+    const Outcome outcome = go(index, *world, *solver, t);
     add_effort(solver->effort());
-    if (progress != Progress::arrived) return false;
     state.q = solver->state().q;
     state.v.setZero();
-    return true;
+    return outcome;
   }
 
   /// Each sample starts from nothing but its state, so that a resumed run does as an uninterrupted one.
   Outcome straight_to(int index, const StageSetup& setup, double t, State& state) {
     const auto world = setup.world();
-    world->heed(options_.interrupt);
     const auto solver =
         std::visit([&](const auto& spec) { return make(timed(spec, stage_at(index).duration), *world, state); },
                    stage_at(index).solver);
-    Outcome outcome = Outcome::finished;
-    Looked before;
-    world->watch([&](const Points& q) { keep_up(q, before); });
-    while (true) {
-      before = {followed_, clasps_.places()};
-      const Progress progress = solver->advance(t);
-      keep_up(solver->state().q, before);
-      state = solver->state();
-      residual_ = solver->residual();
-      tell(index, state.t);
-      if (progress == Progress::failed) outcome = Outcome::failed;
-      if (progress != Progress::stepped) break;
-      if (options_.interrupt && options_.interrupt->load()) {
-        outcome = Outcome::interrupted;
-        break;
-      }
-    }
+    const Outcome outcome = go(index, *world, *solver, t);
+    state = solver->state();
     // A sample that is not balanced to its end would not be balanced on when it is taken up: an interruption waits.
     world->heed(nullptr);
     if (outcome == Outcome::finished) sharpen(index, setup, *solver, state);
     add_effort(solver->effort());
     return outcome;
+  }
+
+  /// Step by step, with an eye on every loop.
+  Outcome go(int index, World& world, Solver& solver, double t) {
+    world.heed(options_.interrupt);
+    world.watch([this](const Points& q) { keep_up(q, before_step_); });
+    while (true) {
+      before_step_ = {followed_, clasps_.places()};
+      const Progress progress = solver.advance(t);
+      keep_up(solver.state().q, before_step_);
+      residual_ = solver.residual();
+      tell(index, solver.state().t);
+      if (progress == Progress::failed) return Outcome::failed;
+      if (progress == Progress::arrived) return Outcome::finished;
+      if (options_.interrupt && options_.interrupt->load()) return Outcome::interrupted;
+    }
   }
 
   /// Balances a pulled fabric until what is left is small beside the load on one wale or course.
@@ -302,7 +301,8 @@ class Run {
   const RunOptions& options_;
   Fabric plain_;
   Clasps clasps_;
-  Points followed_;                 // where clasps_ last looked
+  Points followed_;  // where clasps_ last looked
+  Looked before_step_;
   double half_diameter_;            // m
   std::optional<double> residual_;  // Solver::residual() after the last step of this stage, N
 };
