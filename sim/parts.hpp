@@ -1,9 +1,11 @@
 /// What effects are made from: the fabric, the stage's rest length, the state at its start, and shared machinery.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "sim/effect.hpp"
 #include "sim/rest_length.hpp"
@@ -27,6 +29,9 @@ struct Parts {
   /// Whether effects that depend on velocity are asked about the positions where a step began, while the others are
   /// asked about those where it ends.
   bool lagged = false;
+  /// By segment, whether its four control points are held by World::hold(), so that nobody asks what it does to them;
+  /// empty if no point is.
+  std::vector<std::uint8_t> asleep{};
   std::map<std::pair<double, double>, std::shared_ptr<Beads>> made_beads{}, made_lagged_beads{};
 };
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "sim/effects/grid.hpp"
 #include "sim/kernels/kernels.hpp"
@@ -109,6 +111,10 @@ void Beads::prepare(const Points& q) {
       if (!std::isfinite(x)) return;
     if (fabric_.cell) find_images(q);
     find_pairs();
+    if (!asleep_.empty()) {
+      all_pairs_ = pairs_;
+      keep_awake();
+    }
     index_pairs();
     listed_rows_ = rows_;
     ++version_;
@@ -117,6 +123,24 @@ void Beads::prepare(const Points& q) {
   double closest = std::numeric_limits<double>::infinity();
   for (int image = 0; image < static_cast<int>(images_.size()); ++image) closest = std::min(closest, measure(image));
   closest_ = std::sqrt(closest);
+}
+
+void Beads::leave_out(std::vector<std::uint8_t> asleep) {
+  if (asleep_.empty()) all_pairs_ = pairs_;
+  asleep_ = std::move(asleep);
+  keep_awake();
+  if (asleep_.empty()) all_pairs_.clear();
+  index_pairs();
+  ++version_;
+}
+
+void Beads::keep_awake() {
+  const auto sleeps = [this](int segment) { return !asleep_.empty() && asleep_[index(segment)]; };
+  pairs_.clear();
+  std::copy_if(all_pairs_.begin(), all_pairs_.end(), std::back_inserter(pairs_),
+               [&](const SegmentPair& pair) { return !sleeps(pair.a) || !sleeps(pair.b); });
+  plain_pairs_ = index(static_cast<int>(
+      std::count_if(pairs_.begin(), pairs_.end(), [](const SegmentPair& pair) { return pair.image == 0; })));
 }
 
 BeadSpreading Beads::spreading() const {

@@ -37,6 +37,9 @@ class Beads {
   /// The next prepare() renews the list however little has moved.
   void forget_list() { listed_rows_.clear(); }
 
+  /// Pairs of which both segments are `asleep` are left out of the list, and not measured. Empty: none is.
+  void leave_out(std::vector<std::uint8_t> asleep);
+
   /// Ascending by image, a, b; each two pieces of yarn of an endless fabric once.
   const std::vector<SegmentPair>& pairs() const { return pairs_; }
   /// How many of pairs() are of segments as they lie, the first ones.
@@ -124,6 +127,7 @@ class Beads {
   void find_pairs();
   void find_pairs(int image, const Grid& grid, const Spheres& around);
   void index_pairs();
+  void keep_awake();
   bool is_within_reach(const SegmentPair& pair) const;
 
   const Fabric& fabric_;
@@ -138,7 +142,9 @@ class Beads {
   std::vector<Vec3> displacements_{Vec3::Zero()};  // by image, m
   std::vector<SegmentPair> pairs_;
   std::size_t plain_pairs_ = 0;
-  Points listed_periods_;  // both, when the list was made; empty if the fabric has none
+  std::vector<std::uint8_t> asleep_;    // by segment
+  std::vector<SegmentPair> all_pairs_;  // whoever sleeps; empty if nobody does
+  Points listed_periods_;               // both, when the list was made; empty if the fabric has none
   double closest_ = 0;
   long version_ = 0;
 
