@@ -49,6 +49,7 @@ Json solver(const Effort& effort) {
        {{"halved", effort.retries.halved}, {"continued", effort.retries.continued}, {"damped", effort.retries.damped}}},
       {"evaluations", effort.evaluations},
       {"factorizations", effort.factorizations}};
+  if (effort.spared > 0) json["evaluations_spared"] = effort.spared;
   if (!effort.failure.empty()) json["failure"] = effort.failure;
   return json;
 }
