@@ -29,7 +29,7 @@ struct Followed {
 Followed follow(const RestingJersey& of, const EffectSpec& striker, double sleep) {
   const auto world = of.world({Drag{}, striker});
   const std::clock_t begun = std::clock();
-  const auto solver = make(RungeKutta{.relative = 1e-3, .sleep = sleep}, *world, of.state());
+  const auto solver = make(RungeKutta{.relative = 1e-3, .absolute = 1e-6, .sleep = sleep}, *world, of.state());
   while (solver->advance(duration) == Progress::stepped) {
   }
   return {solver->state(), solver->effort(), static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC};

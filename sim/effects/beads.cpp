@@ -98,10 +98,26 @@ bool Beads::locate(const Points& q) {
                               .before = listed ? listed_rows_.data() : nullptr,
                               .most_moved = may_move > 0 ? may_move * may_move : -1,
                               .at = rows_.data()};
+  const bool sleepers_stay = listed && sleepers_located_;
   bool near = listed;
 #pragma omp parallel for schedule(static) reduction(&& : near)
   for (std::size_t i = 1; i < boundaries_.size(); ++i)
-    near = kernels().beads.locate(locating, boundaries_[i - 1], boundaries_[i]) && near;
+    near = (sleepers_stay ? locate_awake(locating, boundaries_[i - 1], boundaries_[i])
+                          : kernels().beads.locate(locating, boundaries_[i - 1], boundaries_[i])) &&
+           near;
+  sleepers_located_ = !asleep_.empty();
+  return near;
+}
+
+bool Beads::locate_awake(const BeadLocating& locating, int first, int last) const {
+  bool near = true;
+  const auto end = asleep_.begin() + last;
+  for (auto begin = std::find(asleep_.begin() + first, end, 0); begin != end;) {
+    const auto asleep = std::find(begin, end, 1);
+    near &= kernels().beads.locate(locating, static_cast<int>(begin - asleep_.begin()),
+                                   static_cast<int>(asleep - asleep_.begin()));
+    begin = std::find(asleep, end, 0);
+  }
   return near;
 }
 
@@ -128,6 +144,7 @@ void Beads::prepare(const Points& q) {
 void Beads::leave_out(std::vector<std::uint8_t> asleep) {
   if (asleep_.empty()) all_pairs_ = pairs_;
   asleep_ = std::move(asleep);
+  sleepers_located_ = false;
   keep_awake();
   if (asleep_.empty()) all_pairs_.clear();
   index_pairs();

@@ -113,6 +113,8 @@ class Beads {
   }
   /// Fills the rows. False if a bead has moved too far since the list was made, or if a number is not finite.
   bool locate(const Points& q);
+  /// The same of those of segments first ... last - 1 that do not sleep.
+  bool locate_awake(const BeadLocating&, int first, int last) const;
   /// By how much beads and their images may have come nearer since the list was made because the periods changed, m.
   double nearer_by_periods(const Points& q) const;
   double measure(int image);
@@ -142,7 +144,8 @@ class Beads {
   std::vector<Vec3> displacements_{Vec3::Zero()};  // by image, m
   std::vector<SegmentPair> pairs_;
   std::size_t plain_pairs_ = 0;
-  std::vector<std::uint8_t> asleep_;    // by segment
+  std::vector<std::uint8_t> asleep_;  // by segment
+  bool sleepers_located_ = false;
   std::vector<SegmentPair> all_pairs_;  // whoever sleeps; empty if nobody does
   Points listed_periods_;               // both, when the list was made; empty if the fabric has none
   double closest_ = 0;

@@ -34,7 +34,7 @@ Motion follow(const std::vector<EffectSpec>& others, double sleep, const State& 
   const auto world = jersey().world(others);
   Motion motion;
   {
-    const auto solver = make(RungeKutta{.relative = 1e-3, .sleep = sleep}, *world, start);
+    const auto solver = make(RungeKutta{.relative = 1e-3, .absolute = 1e-6, .sleep = sleep}, *world, start);
     motion.state = run_to(*solver, until);
     motion.effort = solver->effort();
   }
