@@ -53,6 +53,20 @@ TEST(World, DoesToPointsThatMoveTheSameThoughOthersAreHeld) {
     }
 }
 
+TEST(World, DoesNotAskWhatSegmentsThatAreHeldBear) {
+  const OneThread one;
+  const Fabric& fabric = jersey().fabric();
+  World world(fabric, {Stretch{}, Bend{}, Gravity{}, Plates{.gap = 0}}, 0.0, jersey().state());
+  const std::vector<std::uint8_t> held(static_cast<std::size_t>(fabric.points.cols()), 1);
+  std::vector<std::uint8_t> all_but_one = held;
+  all_but_one[20] = 0;
+  world.hold(all_but_one);
+  Points acceleration, force;
+  world.accelerate(jersey().state(), acceleration, &force);
+  // Three control points either way share a segment with it.
+  for (int i = 0; i < force.cols(); ++i) EXPECT_EQ(force.col(i).isZero(0), i < 17 || i > 23) << i;
+}
+
 TEST(World, DoesNotLookAtPairsOfWhichBothSidesAreHeld) {
   const OneThread one;
   const auto world = jersey().world({});
