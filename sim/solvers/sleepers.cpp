@@ -7,7 +7,7 @@ namespace wale {
 namespace {
 
 constexpr int tile_length = 12;
-constexpr int patience = 64;  // steps: a dozen of the slowest axial swings of a tile
+constexpr int patience = 64;  // steps: where stability bounds them, sound passes two tiles in these
 
 }  // namespace
 

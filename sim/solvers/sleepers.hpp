@@ -13,7 +13,7 @@ namespace wale {
 /// `most`; at once if it has never moved. It is then held where it is. It wakes as soon as a force on one of its points
 /// is above `most`: that is known at each step, from what its neighbours and all that is led from outside do to it,
 /// though what sleeping neighbours do to each other is not computed anew. So what is lost is what forces up to `most`
-/// would have moved.
+/// would have moved. Friction that has brought a tile to rest holds it as it did last.
 class Sleepers {
  public:
   /// `most` in N. `world` must outlive this, and hold no points yet.
