@@ -1,5 +1,6 @@
 #include "sim/mass.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "sim/lapack.hpp"
@@ -56,6 +57,22 @@ Mass::Mass(const Fabric& fabric) {
       throw std::invalid_argument("a yarn's mass is not positive: linear density and rest length must be");
     yarns_.push_back(std::move(band));
   }
+}
+
+Mass Mass::between(const std::vector<std::uint8_t>& held) const {
+  Mass part;
+  for (const Band& yarn : yarns_) {
+    const auto begin = held.begin() + yarn.first_point, end = begin + yarn.matrix.cols();
+    for (auto first = std::find(begin, end, 0); first != end;) {
+      const auto last = std::find(first, end, 1);
+      Band run{static_cast<int>(first - held.begin()), yarn.matrix.middleCols(first - begin, last - first), {}};
+      run.factor = run.matrix;
+      lapack::dpbtrf(run.factor);
+      part.yarns_.push_back(std::move(run));
+      first = std::find(last, end, 0);
+    }
+  }
+  return part;
 }
 
 void Mass::solve(Points& b) const {

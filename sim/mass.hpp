@@ -1,6 +1,7 @@
 /// The banded mass matrix of every yarn, factored once.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/fabric.hpp"
@@ -17,6 +18,8 @@ Eigen::MatrixXd mass_band(const std::vector<double>& weight);
 class Mass {
  public:
   explicit Mass(const Fabric&);
+  /// That of a motion in which the points that `held` marks stay: of each run of others between them on its own.
+  Mass between(const std::vector<std::uint8_t>& held) const;
   /// b := M⁻¹ b, in place; 3 x M columns.
   void solve(Points& b) const;
   /// M v.
@@ -31,6 +34,7 @@ class Mass {
     int first_point = 0;
     Eigen::MatrixXd matrix, factor;
   };
+  Mass() = default;
   std::vector<Band> yarns_;
 };
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "sim/effect.hpp"
 #include "sim/rest_length.hpp"
@@ -26,6 +28,9 @@ struct Parts {
   /// Whether effects that depend on velocity are asked about the positions where a step began, while the others are
   /// asked about those where it ends.
   bool lagged = false;
+  /// By segment, whether its four control points are held by World::hold(), so that nobody asks what it does to them;
+  /// empty if no point is.
+  std::vector<std::uint8_t> asleep{};
   std::map<std::array<double, 3>, std::shared_ptr<Beads>> made_beads{}, made_lagged_beads{};
 };
 

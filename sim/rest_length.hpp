@@ -1,6 +1,7 @@
 /// How long yarns would like to be: tightened to their stitches, and shrunk.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "sim/scene.hpp"
@@ -30,6 +31,10 @@ struct RestSchedules {
   RestSchedules(Schedule of_tightening = 0.0) : tightening(std::move(of_tightening)) {}  // NOLINT: nothing shrinks
   RestSchedules(double of_tightening) : tightening(of_tightening) {}                     // NOLINT: nor is tightened
   RestLengths operator()(double t) const;
+  bool are_constant() const {
+    return tightening.is_constant() &&
+           std::all_of(left.begin(), left.end(), [](const Schedule& of) { return of.is_constant(); });
+  }
 };
 
 /// `before`: rest lengths where the stage begins. `materials`: how many the fabric has.

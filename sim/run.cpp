@@ -276,6 +276,7 @@ class Run {
     results_.effort.accepted += effort.accepted;
     results_.effort.rejected += effort.rejected;
     results_.effort.evaluations += effort.evaluations;
+    results_.effort.spared += effort.spared;
     results_.effort.factorizations += effort.factorizations;
     results_.effort.retries.halved += effort.retries.halved;
     results_.effort.retries.continued += effort.retries.continued;

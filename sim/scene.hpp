@@ -140,6 +140,7 @@ struct RungeKutta {
   double relative = 1e-4;  ///< error per step over the size of the state
   double absolute = 1e-8;  ///< m, and m/s for velocities
   double first_step = 0;   ///< s; 0: Hairer's choice
+  double sleep = 0;  ///< most force on a part that is held still as at rest, over EI/d²; 0: none is; see Sleepers
 };
 /// Motion by TR-BDF2 (Bank et al. 1985), implicit, L-stable and of order two, with steps by its error (Hosea & Shampine
 /// 1996): stiff motion that has died away does not bound the step.

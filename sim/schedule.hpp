@@ -41,6 +41,9 @@ class Schedule {
     return Schedule(std::move(knots));
   }
   const std::vector<Knot>& knots() const { return knots_; }
+  bool is_constant() const {
+    return std::all_of(knots_.begin(), knots_.end(), [&](const Knot& knot) { return knot.value == knots_[0].value; });
+  }
   bool operator==(const Schedule&) const = default;
 
  private:

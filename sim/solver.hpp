@@ -25,12 +25,14 @@ struct Retries {
 /// What a run has cost so far.
 struct Effort {
   long accepted = 0, rejected = 0, evaluations = 0, factorizations = 0;
+  double spared = 0;  ///< of the evaluations: each counts as the share of the control points that slept
   Retries retries{};
   std::string failure;  ///< one sentence, when advance() answered `failed`
 };
 
 /// A solver is made from a World and a State, and owns that state while it lives. It keeps no other memory
-/// that would change the answer: a solver made from state() goes on as this one would.
+/// that would change the answer: a solver made from state() goes on as this one would. (One that lets parts sleep
+/// remembers for how long others have been at rest, which changes the answer by less than sleep does.)
 class Solver {
  public:
   virtual ~Solver() = default;

@@ -62,10 +62,34 @@ void World::add_to(Load& out, const State& state, Acting which) const {
     if (matrix) matrix->fit();
 }
 
-void World::accelerate(const State& state, Points& acceleration) {
+bool World::may_rest() const { return rest_.are_constant() && constraints_.empty(); }
+
+void World::hold(const std::vector<std::uint8_t>& held) {
+  held_ = held;
+  parts_.asleep.clear();
+  moving_mass_.reset();
+  if (!held.empty()) {
+    for (int i = 0; i < fabric_.segment_count(); ++i) {
+      const auto first = held.begin() + fabric_.first_point(i);
+      parts_.asleep.push_back(std::find(first, first + 4, 0) == first + 4);
+    }
+    moving_mass_ = mass_.between(held);
+  }
+  for (auto* made : {&parts_.made_beads, &parts_.made_lagged_beads})
+    for (auto& [setting, beads] : *made) beads->leave_out(parts_.asleep);
+}
+
+void World::accelerate(const State& state, Points& acceleration, Points* force) {
   prepare(state);
   Load load{.force = &acceleration};
   evaluate(state, load);
+  if (force) *force = acceleration;
+  if (moving_mass_) {
+    moving_mass_->solve(acceleration);
+    for (std::size_t i = 0; i < held_.size(); ++i)
+      if (held_[i]) acceleration.col(static_cast<Eigen::Index>(i)).setZero();
+    return;
+  }
   if (constraints_.empty()) {
     mass_.solve(acceleration);
     return;

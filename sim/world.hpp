@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim/constraints.hpp"
@@ -40,8 +41,16 @@ class World {
   /// Adds every effect that is meant to what `out` holds.
   void add_to(Load& out, const State&, Acting = Acting::all) const;
   bool dissipates() const;
-  /// q'' = M⁻¹ (force), under the constraints, m/s².
-  void accelerate(const State&, Points& acceleration);
+  /// q'' = M⁻¹ (force), under the constraints, m/s². `force`, if not null, becomes what evaluate() answers, N.
+  void accelerate(const State&, Points& acceleration, Points* force = nullptr);
+
+  /// Whether what does not move bears the same forces at any time, but for what is led from outside: rest lengths do
+  /// not change, and no constraint reaches from one part to another.
+  bool may_rest() const;
+  /// From now on the control points that `held` marks do not move, and are not accelerated. What neighbours do to each
+  /// other is left out where all of them are held, so that forces on these are known but for a constant, and energies
+  /// are those of the rest. Empty: none is held. Call prepare() before the next evaluate().
+  void hold(const std::vector<std::uint8_t>& held);
 
   /// A solver looks here within a step, and gives the step up when it is set. May be null; must outlive the world.
   void heed(const std::atomic<bool>* interrupt) { interrupt_ = interrupt; }
@@ -74,6 +83,8 @@ class World {
   Ties ties_;
   PeriodGuide guide_;
   Mass mass_;
+  std::vector<std::uint8_t> held_;     // by control point; empty: none is
+  std::optional<Mass> moving_mass_{};  // of the others, if some are held
   Constraints constraints_;
   std::vector<std::unique_ptr<Effect>> effects_;
   const std::atomic<bool>* interrupt_ = nullptr;

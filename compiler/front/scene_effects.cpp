@@ -142,7 +142,7 @@ QuasiStatic read_quasi_static(const YamlNode& node, Diagnostics& say) {
 
 RungeKutta read_runge_kutta(const YamlNode& node, Diagnostics& say) {
   RungeKutta spec;
-  const Settings settings(node, "runge_kutta", {"method", "relative", "absolute", "first_step"}, say);
+  const Settings settings(node, "runge_kutta", {"method", "relative", "absolute", "first_step", "sleep"}, say);
   if (const YamlNode* method = settings.find("method"))
     spec.method = read_word(*method, "the method", {"kutta", "dormand_prince"}, say).value_or(0) == 1
                       ? RungeKutta::Method::dormand_prince
@@ -153,6 +153,7 @@ RungeKutta read_runge_kutta(const YamlNode& node, Diagnostics& say) {
   settings.quantity("relative", dimensions::ratio, is_kutta ? tolerances : watchful, spec.relative);
   settings.quantity("absolute", dimensions::length, {1e-15, 1e-2}, spec.absolute);
   settings.quantity("first_step", dimensions::time, {0, 1e3}, spec.first_step);
+  settings.quantity("sleep", dimensions::ratio, {0, 1}, spec.sleep);
   return spec;
 }
 

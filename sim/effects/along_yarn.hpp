@@ -40,6 +40,19 @@ concept Law = requires(const L& law, const typename L::Slopes& now, double t, co
   { law.curvature(now, at, curvature, convex) } -> std::same_as<void>;
 };
 
+/// What a schedule leads may push what rests.
+template <class L>
+concept Led = requires(const L& law) {
+  law.spec.progress;
+};
+
+/// What acts in one place only: whether it may on yarn with this constant in a ball about `centre` of this radius, m.
+template <class L>
+concept Local = requires(const L& law, const typename L::Slopes& now, const Vec3& centre, double radius,
+                         double constant) {
+  { law.reaches(now, centre, radius, constant) } -> std::same_as<bool>;
+};
+
 /// Sets Site::reference of a law that keeps something of each site.
 template <class L>
 concept Remembers = requires(const L& law, const Parts& parts, int first_point, const NodeWeights& node) {
@@ -122,14 +135,38 @@ class AlongYarn final : public Effect {
     for (const auto& [first, last] : blocks_.colours()) {
 #pragma omp for schedule(static)
       for (std::size_t i = first; i < last; ++i)
-        scalars[i] = add_block(slopes, kernel, blocks_.all()[i], at, rest, force);
+        scalars[i] = add_block(slopes, kernel, awake(blocks_.all()[i]), at, rest, force);
     }
     if (scalar)
       for (const double of : scalars) *scalar += of;
   }
 
+  /// From the first segment of a block that does not sleep to the last.
+  SegmentBlock awake(SegmentBlock block) const {
+    if (Led<L> || parts_.asleep.empty()) return block;
+    const auto sleeps = [this](std::size_t i) {
+      return parts_.asleep[static_cast<std::size_t>(blocks_.segments()[i])] != 0;
+    };
+    while (block.count > 0 && sleeps(block.end() - 1)) --block.count;
+    for (; block.count > 0 && sleeps(block.begin); ++block.begin) --block.count;
+    return block;
+  }
+
+  /// A yarn lies within the box around its control points.
+  bool is_out_of_reach(const Slopes& slopes, const SegmentBlock& of, const State& at) const {
+    if constexpr (Local<L>) {
+      const auto points = at.q.middleCols(first_point(of.begin), static_cast<Eigen::Index>(of.count) + 3);
+      const Vec3 low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+      const auto constants = constant_.begin() + static_cast<std::ptrdiff_t>(of.begin);
+      return !law_.reaches(slopes, (low + high) / 2, (high - low).norm() / 2,
+                           *std::max_element(constants, constants + static_cast<std::ptrdiff_t>(of.count)));
+    }
+    return false;
+  }
+
   double add_block(const Slopes& slopes, AlongKernel<Slopes> kernel, const SegmentBlock& of, const State& at,
                    const RestLengths& rest, Points* force) const {
+    if (of.count == 0 || is_out_of_reach(slopes, of, at)) return 0;
     double l[block_length + block_padding];
     for (std::size_t i = 0; i < of.count; ++i) l[i] = rest.of(parts_.fabric.segment(blocks_.segments()[of.begin + i]));
     std::fill_n(l + of.count, block_padding, 1.0);

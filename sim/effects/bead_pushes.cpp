@@ -26,6 +26,7 @@ class RangeOfSegments {
   /// The energy of the range's contacts.
   double push(const ListContacts& list) {
     list(first_, last_, contacts_);
+    if (contacts_.empty()) return 0;
     leaving_ = static_cast<std::size_t>(
         std::count_if(contacts_.begin(), contacts_.end(), [this](const auto& contact) { return leaves(contact); }));
     push_.resize(row() * static_cast<std::size_t>(last_ - first_));
@@ -45,6 +46,7 @@ class RangeOfSegments {
   /// Adds to the range's control points, except the first three, which the range before has as well; what these get,
   /// and what leaves the range, is kept for later.
   void spread(Points& force, std::vector<Late>& late) const {
+    if (contacts_.empty()) return;
     const auto stride = static_cast<long>(points_);
     std::vector<double> sum(3 * static_cast<std::size_t>(points_));
     std::vector<std::uint8_t> touched(static_cast<std::size_t>(last_ - first_));

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "sim/effects/grid.hpp"
 #include "sim/kernels/kernels.hpp"
@@ -96,10 +98,26 @@ bool Beads::locate(const Points& q) {
                               .before = listed ? listed_rows_.data() : nullptr,
                               .most_moved = may_move > 0 ? may_move * may_move : -1,
                               .at = rows_.data()};
+  const bool sleepers_stay = listed && sleepers_located_;
   bool near = listed;
 #pragma omp parallel for schedule(static) reduction(&& : near)
   for (std::size_t i = 1; i < boundaries_.size(); ++i)
-    near = kernels().beads.locate(locating, boundaries_[i - 1], boundaries_[i]) && near;
+    near = (sleepers_stay ? locate_awake(locating, boundaries_[i - 1], boundaries_[i])
+                          : kernels().beads.locate(locating, boundaries_[i - 1], boundaries_[i])) &&
+           near;
+  sleepers_located_ = !asleep_.empty();
+  return near;
+}
+
+bool Beads::locate_awake(const BeadLocating& locating, int first, int last) const {
+  bool near = true;
+  const auto end = asleep_.begin() + last;
+  for (auto begin = std::find(asleep_.begin() + first, end, 0); begin != end;) {
+    const auto asleep = std::find(begin, end, 1);
+    near &= kernels().beads.locate(locating, static_cast<int>(begin - asleep_.begin()),
+                                   static_cast<int>(asleep - asleep_.begin()));
+    begin = std::find(asleep, end, 0);
+  }
   return near;
 }
 
@@ -109,6 +127,10 @@ void Beads::prepare(const Points& q) {
       if (!std::isfinite(x)) return;
     if (fabric_.cell) find_images(q);
     find_pairs();
+    if (!asleep_.empty()) {
+      all_pairs_ = pairs_;
+      keep_awake();
+    }
     index_pairs();
     listed_rows_ = rows_;
     ++version_;
@@ -117,6 +139,25 @@ void Beads::prepare(const Points& q) {
   double closest = std::numeric_limits<double>::infinity();
   for (int image = 0; image < static_cast<int>(images_.size()); ++image) closest = std::min(closest, measure(image));
   closest_ = std::sqrt(closest);
+}
+
+void Beads::leave_out(std::vector<std::uint8_t> asleep) {
+  if (asleep_.empty()) all_pairs_ = pairs_;
+  asleep_ = std::move(asleep);
+  sleepers_located_ = false;
+  keep_awake();
+  if (asleep_.empty()) all_pairs_.clear();
+  index_pairs();
+  ++version_;
+}
+
+void Beads::keep_awake() {
+  const auto sleeps = [this](int segment) { return !asleep_.empty() && asleep_[index(segment)]; };
+  pairs_.clear();
+  std::copy_if(all_pairs_.begin(), all_pairs_.end(), std::back_inserter(pairs_),
+               [&](const SegmentPair& pair) { return !sleeps(pair.a) || !sleeps(pair.b); });
+  plain_pairs_ = index(static_cast<int>(
+      std::count_if(pairs_.begin(), pairs_.end(), [](const SegmentPair& pair) { return pair.image == 0; })));
 }
 
 BeadSpreading Beads::spreading() const {

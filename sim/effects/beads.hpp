@@ -38,6 +38,9 @@ class Beads {
   /// The next prepare() renews the list however little has moved.
   void forget_list() { listed_rows_.clear(); }
 
+  /// Pairs of which both segments are `asleep` are left out of the list, and not measured. Empty: none is.
+  void leave_out(std::vector<std::uint8_t> asleep);
+
   /// Ascending by image, a, b; each two pieces of yarn of an endless fabric once.
   const std::vector<SegmentPair>& pairs() const { return pairs_; }
   /// How many of pairs() are of segments as they lie, the first ones.
@@ -111,6 +114,8 @@ class Beads {
   }
   /// Fills the rows. False if a bead has moved too far since the list was made, or if a number is not finite.
   bool locate(const Points& q);
+  /// The same of those of segments first ... last - 1 that do not sleep.
+  bool locate_awake(const BeadLocating&, int first, int last) const;
   /// By how much beads and their images may have come nearer since the list was made because the periods changed, m.
   double nearer_by_periods(const Points& q) const;
   double measure(int image);
@@ -125,6 +130,7 @@ class Beads {
   void find_pairs();
   void find_pairs(int image, const Grid& grid, const Spheres& around);
   void index_pairs();
+  void keep_awake();
   bool is_within_reach(const SegmentPair& pair) const;
 
   const Fabric& fabric_;
@@ -139,7 +145,10 @@ class Beads {
   std::vector<Vec3> displacements_{Vec3::Zero()};  // by image, m
   std::vector<SegmentPair> pairs_;
   std::size_t plain_pairs_ = 0;
-  Points listed_periods_;  // both, when the list was made; empty if the fabric has none
+  std::vector<std::uint8_t> asleep_;  // by segment
+  bool sleepers_located_ = false;
+  std::vector<SegmentPair> all_pairs_;  // whoever sleeps; empty if nobody does
+  Points listed_periods_;               // both, when the list was made; empty if the fabric has none
   double closest_ = 0;
   long version_ = 0;
 

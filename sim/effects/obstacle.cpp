@@ -20,6 +20,13 @@ struct ObstacleEffect {
             spec.shape == Obstacle::Shape::cylinder};
   }
 
+  bool reaches(const ObstacleLaw& now, const Vec3& centre, double radius, double half_diameter) const {
+    Site<double> at;
+    at.y = to_vector(centre);
+    at.constant = half_diameter + radius;
+    return now.touch(at).depth > 0;
+  }
+
   void curvature(const ObstacleLaw& now, const Site<double>& at, Curvature& out, bool convex) const {
     const ObstacleLaw::Touch<double> of = now.touch(at);
     if (of.depth <= 0) return;

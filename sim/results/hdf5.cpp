@@ -123,6 +123,7 @@ void describe_report(Archive in, AnyResults& results) {
   effort.value("accepted", results.effort.accepted);
   effort.value("rejected", results.effort.rejected);
   effort.value("evaluations", results.effort.evaluations);
+  if (has(effort, "spared")) effort.measure("spared", "1", results.effort.spared);
   effort.value("factorizations", results.effort.factorizations);
   effort.value("failure", results.effort.failure);
   if (has(in, "retries")) {

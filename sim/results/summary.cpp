@@ -51,6 +51,7 @@ Json solver(const Effort& effort) {
               {"detoured", effort.retries.detoured}}},
             {"evaluations", effort.evaluations},
             {"factorizations", effort.factorizations}};
+  if (effort.spared > 0) json["evaluations_spared"] = effort.spared;
   if (!effort.failure.empty()) json["failure"] = effort.failure;
   return json;
 }

@@ -44,7 +44,7 @@ stages:
   - name: pull
     duration: 8 s
     pull: {along: course, to: 60 %}
-    solver: {runge_kutta: {method: dormand_prince, relative: 1e-5, absolute: 10 nm, first_step: 1 us}}
+    solver: {runge_kutta: {method: dormand_prince, relative: 1e-5, absolute: 10 nm, first_step: 1 us, sleep: 0.1 %}}
 solver: {quasi_static: {tolerance: 1e-4, iterations: 50, first_step: 10 %, smallest_step: 1e-6}}
 )";
 
@@ -119,6 +119,7 @@ TEST(Scene, ReadsStagesAndSolvers) {
   EXPECT_DOUBLE_EQ(explicit_solver.relative, 1e-5);
   EXPECT_DOUBLE_EQ(explicit_solver.absolute, 1e-8);
   EXPECT_DOUBLE_EQ(explicit_solver.first_step, 1e-6);
+  EXPECT_DOUBLE_EQ(explicit_solver.sleep, 1e-3);
 }
 
 TEST(Scene, ReadsStrainsOneAfterTheOther) {
