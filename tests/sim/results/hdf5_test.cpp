@@ -87,6 +87,7 @@ void expect_same_report(const Results& a, const Results& b) {
   EXPECT_EQ(a.effort.accepted, b.effort.accepted);
   EXPECT_EQ(a.effort.rejected, b.effort.rejected);
   EXPECT_EQ(a.effort.evaluations, b.effort.evaluations);
+  EXPECT_EQ(a.effort.spared, b.effort.spared);
   EXPECT_EQ(a.effort.factorizations, b.effort.factorizations);
   EXPECT_EQ(a.effort.retries.halved, b.effort.retries.halved);
   EXPECT_EQ(a.effort.retries.continued, b.effort.retries.continued);

@@ -56,7 +56,7 @@ inline Results made_results() {
   results.snapshots[1].state.v(2, 3) = std::numeric_limits<double>::quiet_NaN();
   results.phases = {{"compile", 0.5}, {"tighten", 2}, {"relax", 1}, {"pull", 8}, {"write", 0.25}};
   results.relaxed = {1e-3, 2e-3, 3e-3, 4e-3, 5e-3};
-  results.effort = {10, 2, 345, 67, {5, 4, 3, 2}, "the step became too small"};
+  results.effort = {10, 2, 345, 67, 12.5, {5, 4, 3, 2}, "the step became too small"};
   results.topology = {18, 17};
   results.contact_samples = 1234567890123;
   results.warnings = {"the fabric is tight", ""};
