@@ -137,7 +137,8 @@ class Run {
       for (const double stop : stops(stage, state.t, stage.duration * sample / stage.samples))
         if (outcome == Outcome::finished) outcome = until(index, setup, stop, state);
       spend(stage.name, begun);
-      const bool moved = state.t > results_.snapshots.back().state.t;
+      const State& saved = results_.snapshots.back().state;
+      const bool moved = state.t > saved.t || state.q != saved.q;
       if (outcome == Outcome::interrupted || (outcome == Outcome::failed && moved))
         results_.snapshots.push_back({index, -1, state});
       if (outcome != Outcome::finished) return outcome;

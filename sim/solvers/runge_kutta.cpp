@@ -151,8 +151,12 @@ class RungeKuttaSolver final : public Solver {
     ++effort_.accepted;
   }
 
+  /// Names where the last accepted positions bear the largest force, or one that is not finite, when the step fails.
   Progress fail(const char* why) {
-    effort_.failure = fmt::format("{} at t = {:.6g} s", why, state_.t);
+    State at = state_;
+    at.t = stage_.t;
+    world_.accelerate(at, acceleration_, &force_);
+    effort_.failure = fmt::format("{} at t = {:.6g} s, {}", why, state_.t, whereabouts(world_, worst_column(force_)));
     return Progress::failed;
   }
 
@@ -162,7 +166,7 @@ class RungeKuttaSolver final : public Solver {
   World& world_;
   State state_, stage_;
   Points acceleration_;
-  Points force_;  // as last evaluated, if somebody may sleep
+  Points force_;  // as last evaluated, if somebody may sleep, and where it ends
   std::optional<Sleepers> sleepers_;
   Effort effort_;
   RateFunction f_;
