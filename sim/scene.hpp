@@ -48,20 +48,20 @@ struct Contact {
   double sampling = 0.03;      ///< α of Eq. (A.5): sets the number of beads a segment
   double screening = 1.6;      ///< β: beads of one yarn nearer along it than β d do not touch
   bool inflate_beads = false;  ///< the paper's option: d_con of Eq. (A.4) in the sum instead of d
-  double skin = 0.4;           ///< over the diameter: how far beyond touching near segments are listed; no answer's
+  double skin = 0.1;           ///< over the diameter: how far beyond touching near segments are listed; no answer's
 };
 /// Viscous damping where yarns touch (Eqs. 19, 21); not friction.
 struct ContactDamping {
   double tangential = 0;  ///< k_dt, N s/m³
   double normal = 0;      ///< k_dn, N s/m³
-  double sampling = 0.03, screening = 1.6, skin = 0.4;
+  double sampling = 0.03, screening = 1.6, skin = 0.1;
 };
 /// Coulomb friction of yarn on yarn: up to µ times the normal force of the contact law, against the motion that is left
 /// when that along the normal is taken out. It is smoothed: below the threshold two yarns that stick creep.
 struct Friction {
   double coefficient = 0.3;  ///< µ
   double threshold = 1e-5;   ///< m/s, the sliding speed from which friction is µ N
-  double sampling = 0.03, screening = 1.6, skin = 0.4;
+  double sampling = 0.03, screening = 1.6, skin = 0.1;
 };
 /// V = k_t l0 ∫ |W (y - F(y_ref, t))|² ds over some segments (Eq. A.6); y_ref is where the stage begins.
 /// F scales about `centre` and moves: F(y, t) = centre + S (y - centre) + u, S = 1 + p(t) (scale - 1), u = p(t) move.
