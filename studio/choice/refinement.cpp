@@ -14,7 +14,7 @@ class Refinement {
 
   SecondLook look() {
     SecondLook look = look_again(text_, settled_, results_, options_);
-    results_.estimated_error = look.error;
+    if (!interrupted()) results_.estimated_error = look.error;
     results_.phases.push_back({"check", look.seconds});
     return look;
   }

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -57,12 +58,13 @@ Outcome simulate(Session& session, const std::filesystem::path& folder, const Ru
                             [&](const SecondLook& before, const Settled& finer) {
                               bar.clear();
                               if (!command.json) fmt::print("{}", announcement(before, finer));
+                              std::fflush(stdout);
                             });
     if (after.looks.size() > 1) write_pictures(results, folder);
     write_tables(results, folder);
   }
   bar.clear();
-  return outcome;
+  return outcome == Outcome::finished && interrupt ? Outcome::interrupted : outcome;
 }
 
 std::optional<double> accuracy_of(const std::string& text) {
