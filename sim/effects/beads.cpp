@@ -12,8 +12,6 @@
 namespace wale {
 namespace {
 
-/// Of the diameter: wide enough that a list lasts for several solver steps, narrow enough that it stays short.
-
 /// Ranges of segments: enough for many threads, but not so short that most contacts reach out of them.
 std::vector<int> even_boundaries(int segments) {
   const int length = std::clamp(segments / 8, 256, 4096), count = std::max(segments / length, 1);

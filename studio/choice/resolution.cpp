@@ -21,6 +21,11 @@ constexpr double margin = 2.0 / 3;  // of what is asked: scenes are more various
 constexpr int rest_iterations = 1000;
 constexpr double rest_tolerance = 0.01;  // over what is asked; see `rest_tolerance` in docs/accuracy.md
 
+/// The next even number of segments that a stitch may have.
+int even(double segments) {
+  return std::clamp(2 * static_cast<int>(std::ceil(segments / 2)), limits::least_segments, limits::most_segments);
+}
+
 /// What is below which in nine of ten scenes.
 double nine_of_ten(std::vector<double> errors) {
   const auto count = static_cast<double>(errors.size());
@@ -107,17 +112,14 @@ Resolution choose_resolution(double asked, const Scales& scales, double strain_a
       tried.cost = at(scales.stitch_length / scales.diameter / length, from.segments, from.costs[i]);
       if (better(tried, best)) best = tried;
     }
-  const double segments = scales.stitch_length / scales.diameter / best.segment_length;
-  best.segments_per_stitch =
-      std::clamp(2 * static_cast<int>(std::ceil(segments / 2)), limits::least_segments, limits::most_segments);
+  best.segments_per_stitch = even(scales.stitch_length / scales.diameter / best.segment_length);
   best.friction_threshold = from.friction_threshold;
   best.scenes = static_cast<int>(scenes.size());
   return best;
 }
 
 Resolution refined(Resolution of) {
-  of.segments_per_stitch =
-      std::min(2 * static_cast<int>(std::ceil(of.segments_per_stitch * 0.625)), limits::most_segments);
+  of.segments_per_stitch = even(1.25 * of.segments_per_stitch);
   of.samples_times *= 2;
   ++of.refinements;
   return of;

@@ -154,6 +154,12 @@ TEST_F(Accuracy, DoesNotGoOnWithAnotherScene) {
   EXPECT_EQ(test::read(scratch_.path("out/trials.jsonl")), kept);
 }
 
+TEST_F(Accuracy, SaysWhenThereIsNothingToGoOnWith) {
+  const test::Answer answer = test::wale({"accuracy", scene_, "-o", scratch_.path("out"), "--resume"});
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_NE(answer.err.find("there is no study to go on with"), std::string::npos) << answer.err;
+}
+
 TEST_F(Accuracy, NamesTheKnobThatWasMeant) {
   const test::Answer answer = test::wale({"accuracy", scene_, "-o", scratch_.path("out"), "--knob", "segment"});
   EXPECT_EQ(answer.exit_code, 1);

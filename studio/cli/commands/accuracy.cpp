@@ -92,7 +92,7 @@ void print_words(const Study& study, const std::string& folder) {
       fmt::print("{:<20} order {:.1f}{}\n", "", *ladder.observed_order,
                  ladder.expected_order ? fmt::format(", {:g} expected", *ladder.expected_order) : "");
   }
-  fmt::print("\nIn {}: accuracy.html (diagrams), accuracy.csv, accuracy.json\n", folder);
+  fmt::print("\nIn {}: accuracy.html (diagrams), accuracy.csv, accuracy.json, trials.jsonl (for --resume)\n", folder);
 }
 
 /// Says which trial runs: always on a terminal, elsewhere if wanted.
@@ -111,6 +111,10 @@ auto progress_line(bool wanted) {
 std::optional<Journal> open_journal(const AccuracyCommand& command, const Read& read) {
   const std::string path = (std::filesystem::path(command.out) / "trials.jsonl").string();
   const auto& texts = read.sources.all();
+  if (command.resume && !std::filesystem::exists(path)) {
+    complain(path, "there is no study to go on with", "leave out --resume to begin anew");
+    return std::nullopt;
+  }
   try {
     return Journal(path, {{texts.begin(), texts.end()}, command.threads, command.times}, command.resume);
   } catch (const std::system_error& error) {
@@ -162,7 +166,8 @@ void add_accuracy(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<AccuracyCommand>();
   CLI::App* command = app.add_subcommand("accuracy", "Shows what accuracy costs: runs a scene with every knob turned");
   command->add_option("SCENE", options->scene, "A scene file")->required();
-  command->add_option("-o,--out", options->out, "The folder for accuracy.html, accuracy.csv and accuracy.json");
+  command->add_option("-o,--out", options->out,
+                      "The folder for accuracy.html, accuracy.csv, accuracy.json and trials.jsonl");
   command->add_option("--knob", options->knobs, "Turn only these, and those all together");
   command->add_flag("--list", options->list, "Print the knobs that this scene has, and run nothing");
   command->add_flag("--resume", options->resume, "Go on with a study that stopped in this folder, or add knobs to it");

@@ -49,7 +49,7 @@ Outcome simulate(Session& session, const std::filesystem::path& folder, const Ru
     saved = Clock::now();
   };
   options.interrupt = &interrupt;
-  const Outcome outcome = run(results, options);
+  Outcome outcome = run(results, options);
   if (outcome != Outcome::interrupted) writing += seconds_of([&] { write_pictures(results, folder); });
   results.phases.push_back({"write", writing});
   write_tables(results, folder);
@@ -62,9 +62,10 @@ Outcome simulate(Session& session, const std::filesystem::path& folder, const Ru
                             });
     if (after.looks.size() > 1) write_pictures(results, folder);
     write_tables(results, folder);
+    if (interrupt) outcome = Outcome::interrupted;
   }
   bar.clear();
-  return outcome == Outcome::finished && interrupt ? Outcome::interrupted : outcome;
+  return outcome;
 }
 
 std::optional<double> accuracy_of(const std::string& text) {
@@ -119,7 +120,8 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_option("SCENE", options->scene, "A scene file");
   command->add_option("-o,--out", options->out, "The folder for the results");
   command->add_option("--accuracy", options->accuracy,
-                      "Choose segments, sampling and tolerances for this error of the stress over its peak, as in 1%");
+                      "Choose segments, sampling and tolerances for this error of the stress over its peak, as in 1%; "
+                      "run anew, finer, if it is estimated to be more");
   command->add_option("--resume", options->resume, "Go on from the last snapshot in this folder");
   command->add_option("--threads", options->threads, "Threads to use; as many as the machine offers if not given")
       ->check(CLI::Range(1, 1024));
