@@ -330,6 +330,7 @@ std::optional<Scene> compile_scene(const Source& source, Sources& sources, Diagn
   double diameter = 0;
   for (const Material& yarn : compiled.fabric.materials) diameter = std::max(diameter, yarn.diameter);
   compiled.gauge.thickness = parsed->thickness > 0 ? parsed->thickness : 2 * diameter;
+  if (compiled.fabric.cell) compiled.fabric.cell->curls = parsed->curls;
   const Knots ends = secured_ends(compiled.fabric);
   for (Stage& stage : parsed->stages) fill_in(stage, ends, places, regions);
   return Scene{parsed->name,

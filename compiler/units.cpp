@@ -52,8 +52,10 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// udunits would take a number inside or behind a unit as a factor, and let a stray bracket pass: slips of the pen.
+/// udunits would take a number inside or behind a unit as a factor, and let a stray bracket pass: slips of the pen. The
+/// one of 1/mm is none.
 bool looks_like_a_unit(std::string_view text) {
+  if (text.starts_with("1/")) text.remove_prefix(2);
   if (text.empty() || std::isdigit(static_cast<unsigned char>(text[0])) || text[0] == '-' || text[0] == '.')
     return false;
   for (std::size_t i = 1; i < text.size(); ++i) {

@@ -18,6 +18,7 @@ struct Dimension {
 namespace dimensions {
 inline constexpr Dimension ratio{"1", "a ratio", "60 %"};
 inline constexpr Dimension length{"m", "a length", "7.23 mm"};
+inline constexpr Dimension curvature{"1/m", "a curvature", "0.1 1/mm"};
 inline constexpr Dimension time{"s", "a time", "2 s"};
 inline constexpr Dimension force{"N", "a force", "68.1 N"};
 inline constexpr Dimension stress{"Pa", "a pressure", "79 MPa"};

@@ -1,4 +1,4 @@
-/// Linear constraints on control points: yarn ends held in place or in direction.
+/// Linear constraints on what may move: yarn ends held in place or in direction, and what else is held.
 #pragma once
 
 #include <functional>
@@ -14,6 +14,8 @@ class Constraints {
  public:
   /// Holds every clamp where `q` has it.
   Constraints(const Fabric&, const std::vector<Clamp>&, const Points& q);
+  /// Holds Σ `row`_k · x_k, in place of all that was held; `row` has the columns of what may move.
+  void hold_only(const Points& row) { rows_ = row.reshaped().transpose(); }
   bool empty() const { return rows_.rows() == 0; }
   /// rows x 3M, dense: there are at most five rows a held end.
   const Eigen::MatrixXd& rows() const { return rows_; }

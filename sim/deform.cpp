@@ -11,11 +11,14 @@ double leg(const Deform::Part& part, std::size_t k) {
   return part.strains[k] - (k > 0 ? part.strains[k - 1] : 0);
 }
 
-/// Along the whole way of all three strains, how far it is to the end of each leg of `part`.
+/// Along the whole way of all three strains, how far it is to the end of each leg of `part`. Where only the curvature
+/// changes, which begins anywhere, legs are alike.
 std::vector<double> ways(const Deform& deform, const Deform::Part& part) {
   std::vector<double> ways{0};
-  for (std::size_t k = 0; k < part.strains.size(); ++k)
-    ways.push_back(ways.back() + std::hypot(leg(deform.wale, k), leg(deform.course, k), leg(deform.shear, k)));
+  for (std::size_t k = 0; k < part.strains.size(); ++k) {
+    const double strains = std::hypot(leg(deform.wale, k), leg(deform.course, k), leg(deform.shear, k));
+    ways.push_back(ways.back() + (strains > 0 ? strains : 1));
+  }
   return ways;
 }
 
@@ -38,7 +41,7 @@ std::vector<double> turns_of(const Stage& stage) {
   if (!stage.strains()) return {};
   const Deform deform = deform_of(stage);
   std::vector<double> times;
-  for (const Deform::Part* part : {&deform.wale, &deform.course, &deform.shear}) {
+  for (const Deform::Part* part : {&deform.wale, &deform.course, &deform.shear, &deform.curl}) {
     if (part->how != Deform::How::driven) continue;
     const Schedule strain = strain_of(deform, *part, stage.duration);
     for (const Schedule::Knot& knot : strain.knots()) times.push_back(knot.t);
@@ -53,7 +56,8 @@ Deform deform_of(const Stage& stage) {
   if (stage.pull)
     (stage.pull->along == Along::wale ? deform.wale : deform.course) = {Deform::How::driven, stage.pull->strains};
   else if (stage.hold == Hold::periods)
-    for (Deform::Part* part : {&deform.wale, &deform.course, &deform.shear}) part->how = Deform::How::held;
+    for (Deform::Part* part : {&deform.wale, &deform.course, &deform.shear, &deform.curl})
+      part->how = Deform::How::held;
   return deform;
 }
 

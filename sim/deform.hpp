@@ -12,7 +12,8 @@ namespace wale {
 Schedule strain_of(const Pull&, double duration);
 
 /// The strain of a driven `part` of `deform`. All parts reach their n-th strains at the same time; the point of the
-/// three strains moves at constant speed, so that each leg takes its share of the whole way.
+/// three strains moves at constant speed, so that each leg takes its share of the whole way, and the curvature goes
+/// along; alone it takes as long for each of its own. Of the curl it is the curvature, 1/m, as if that began at 0.
 Schedule strain_of(const Deform& deform, const Deform::Part& part, double duration);
 
 /// Times at which the strains of a stage turn, and at its end, s; nothing if it is not strained.

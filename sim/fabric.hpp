@@ -60,12 +60,20 @@ struct Yarn {
   int points() const { return segments + 3; }
 };
 
+/// Whether a periodic fabric may curl: then it goes on around an axis beside it, as a cylinder, and is flat only as
+/// long as its curvature is 0. See Image.
+enum class Curls : std::uint8_t {
+  never,
+  about_courses  ///< the axis lies along x: each course is straight, and the wales are bent
+};
+
 /// One repeat of a fabric without end: everything in it comes again after each period. Every yarn goes on by the course
 /// period, so that its last three control points are its first three, one course period on. tile() lays several repeats
 /// side by side; Scene::crossings of such a fabric are segments of a tile.
 struct PeriodicCell {
   Vec3 course = Vec3::Zero();  ///< from a stitch to the same one a repeat to its right, m
   Vec3 wale = Vec3::Zero();    ///< from a stitch to the same one a repeat above, m
+  Curls curls = Curls::never;
 };
 
 struct Fabric {

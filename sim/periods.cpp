@@ -2,9 +2,23 @@
 
 #include <Eigen/LU>
 
+#include "sim/image.hpp"
+
 namespace wale {
 
-void PeriodGuide::lead(State& state) const {
+void PeriodGuide::lead(const PeriodicCell& cell, State& state) const {
+  const bool curls = cell.curls != Curls::never;
+  const double before = curls ? curvature(cell, state.q.rightCols<2>()) : 0;
+  if (before != 0) state.q = rolled_out(cell, state.q);
+  stretch(state);
+  const double after = curl.how == How::led ? curl.length(state.t) : before;
+  if (after == 0) return;
+  for (Eigen::Index k = 0; k + 2 < state.q.cols(); ++k) state.q.col(k) = rolled_up(state.q.col(k), after);
+  state.q(2, state.q.cols() - 1) = after * curl_unit(cell);
+}
+
+/// Of a flat fabric.
+void PeriodGuide::stretch(State& state) const {
   using Plane = Eigen::Matrix2d;  // both periods, by x and y
   const Plane before = state.q.topRightCorner<2, 2>();
   Plane after = before;
@@ -19,6 +33,7 @@ Eigen::Matrix<double, 3, 2> PeriodGuide::mobility() const {
   free(0, 0) = course.how == How::free;
   free(1, 1) = wale.how == How::free;
   free(0, 1) = lean.how == How::free;
+  free(2, 1) = curl.how == How::free;
   return free;
 }
 

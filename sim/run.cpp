@@ -8,6 +8,7 @@
 #include "sim/deform.hpp"
 #include "sim/detour.hpp"
 #include "sim/effects/beads.hpp"
+#include "sim/image.hpp"
 #include "sim/mount.hpp"
 #include "sim/results/curves.hpp"
 #include "sim/results/topology.hpp"
@@ -68,7 +69,10 @@ class Run {
 
   /// As Scene::crossings count segments.
   static Fabric plain(const Fabric& fabric, const Points& q) {
-    return fabric.cell ? tile(fabric, q, repeats_for_crossings, repeats_for_crossings) : fabric;
+    if (!fabric.cell) return fabric;
+    // Rolled out, loops hold each other as they do around an axis.
+    const bool curls = fabric.cell->curls != Curls::never;
+    return tile(fabric, curls ? rolled_out(*fabric.cell, q) : q, repeats_for_crossings, repeats_for_crossings);
   }
   std::vector<bool> follow(const Points& q) {
     const Fabric& fabric = results_.scene.fabric;

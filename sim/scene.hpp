@@ -182,6 +182,7 @@ struct Deform {
   Part wale{};    ///< the length of the wale period along the wales
   Part course{};  ///< the length of the course period
   Part shear{};   ///< how far the wale period leans along the courses, over its length along the wales
+  Part curl{};    ///< of a fabric that may curl, its curvature itself in place of strains, 1/m
   bool operator==(const Deform&) const = default;
 };
 
@@ -211,7 +212,8 @@ struct Stage {
   bool effects_open = false;  ///< of `effects`, those that cannot matter are to be left out before it runs
   bool solver_open = false;   ///< nobody asked for this solver
 
-  bool strains() const { return pull || deform; }
+  /// What tightens at the periods that `deform` holds comes to its size only then.
+  bool strains() const { return pull || (deform && !tighten); }
   /// Then the fabric does not lie as it relaxed.
   bool grips() const { return mount || strains(); }
 };

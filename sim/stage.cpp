@@ -63,10 +63,16 @@ void StageSetup::guide_periods() {
     led.length = Schedule(std::move(knots));
     return led;
   };
-  const auto periods = start_.q.rightCols<2>();
+  const Periods periods = start_.q.rightCols<2>();
   guide_.course = part(deform.course, periods(0, 0), periods(0, 0));
   guide_.wale = part(deform.wale, periods(1, 1), periods(1, 1));
   guide_.lean = part(deform.shear, periods(1, 1), periods(0, 1));
+  if (scene_.fabric.cell->curls != Curls::never) {
+    guide_.curl = part(deform.curl, 1, 0);
+    std::vector<Schedule::Knot> knots = guide_.curl.length.knots();
+    knots.front().value = curvature(*scene_.fabric.cell, periods);
+    guide_.curl.length = Schedule(std::move(knots));
+  }
   gauge_length_ = stage_.pull && stage_.pull->along == Along::course ? periods(0, 0) : periods(1, 1);
 }
 
@@ -166,7 +172,7 @@ std::optional<Along> StageSetup::gripped() const {
 /// other period, as it was in the relaxed fabric, and the thickness.
 void StageSetup::measure_periods(const Points& force, const State& state, std::vector<Quantity>& row) const {
   const auto on_periods = force.rightCols<2>();
-  const auto periods = state.q.rightCols<2>();
+  const Periods periods = state.q.rightCols<2>();
   const double across = relaxed_.width * scene_.gauge.thickness, up = relaxed_.length * scene_.gauge.thickness;
   row.push_back({"period.course", "m", periods(0, 0)});
   row.push_back({"period.wale", "m", periods(1, 1)});
@@ -177,6 +183,7 @@ void StageSetup::measure_periods(const Points& force, const State& state, std::v
     row.push_back({"stress.wale", "Pa", -on_periods(1, 1) / across});
     row.push_back({"stress.shear", "Pa", -on_periods(0, 1) / across});
   }
+  if (scene_.fabric.cell->curls != Curls::never) measure_curl(on_periods(2, 1), periods, row);
   if (!stage_.pull && !stage_.deform) return;
   const auto before = start_.q.rightCols<2>();
   row.push_back({"strain.course", "1", periods(0, 0) / before(0, 0) - 1});
@@ -190,6 +197,13 @@ void StageSetup::measure_periods(const Points& force, const State& state, std::v
   row.push_back({"force", "N", load});
   row.push_back({"force_per_wale", "N", load / (wale_wise ? scene_.gauge.wales : scene_.gauge.courses)});
   row.push_back({"stress", "Pa", load / (wale_wise ? across : up)});
+}
+
+/// The moment is that about the courses on a length of fabric along them, from the force conjugate to the curvature.
+void StageSetup::measure_curl(double force, const Periods& periods, std::vector<Quantity>& row) const {
+  const PeriodicCell& cell = *scene_.fabric.cell;
+  row.push_back({"curvature", "1/m", curvature(cell, periods)});
+  row.push_back({"moment", "N", -force * curl_unit(cell) / (periods(0, 0) * periods(1, 1))});
 }
 
 void StageSetup::measure_grips(const double (&grip_load)[2], double t, std::vector<Quantity>& row) const {

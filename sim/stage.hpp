@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "sim/image.hpp"
 #include "sim/results/recorder.hpp"
 #include "sim/scene.hpp"
 #include "sim/world.hpp"
@@ -33,6 +34,7 @@ class StageSetup {
   void guide_periods();
   void measure_grips(const double (&load)[2], double t, std::vector<Quantity>&) const;
   void measure_periods(const Points& force, const State&, std::vector<Quantity>&) const;
+  void measure_curl(double force, const Periods&, std::vector<Quantity>&) const;
   Tether grip_on(Along, std::size_t end) const;
   void close_grips(Along);
   void move_grips(Along, Schedule travel);

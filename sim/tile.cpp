@@ -3,18 +3,23 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "sim/image.hpp"
+
 namespace wale {
 namespace {
 
 /// One yarn of the repeat `above`, `across` times as long, after those that are there.
 void add_yarn(const Fabric& periodic, const Points& q, const Yarn& yarn, int across, int above, Fabric& tiled) {
   const Vec3 course = q.rightCols<2>().col(0), wale = q.rightCols<2>().col(1);
+  const bool curls = periodic.cell->curls != Curls::never;
   const int first_point = tiled.yarns.empty() ? 0 : tiled.yarns.back().first_point + tiled.yarns.back().points();
   const Yarn longer{first_point, tiled.segment_count(), across * yarn.segments};
   for (int k = 0; k < longer.points(); ++k) {
     // The last three points are the first three of a repeat that is not there any more.
     const int to_right = std::min(k / yarn.segments, across - 1), own = k - to_right * yarn.segments;
-    tiled.points.col(first_point + k) = q.col(yarn.first_point + own) + to_right * course + above * wale;
+    const Vec3 point = q.col(yarn.first_point + own);
+    tiled.points.col(first_point + k) = curls ? Image(*periodic.cell, q.rightCols<2>(), {to_right, above})(point)
+                                              : point + to_right * course + above * wale;
   }
   for (int k = 0; k < longer.segments; ++k) {
     Segment segment = periodic.segment(yarn.first_segment + k % yarn.segments);

@@ -24,6 +24,10 @@ World::World(const Fabric& fabric, std::vector<EffectSpec> effects, RestSchedule
       ties_(fabric),
       mass_(fabric),
       constraints_(fabric, clamps, start_.q) {
+  if (fabric.cell && fabric.cell->curls != Curls::never) {
+    const Points weights = mass_.times(Points::Ones(3, start_.q.cols()));
+    mid_surface_.emplace(*fabric.cell, weights.row(0).transpose());
+  }
   for (const EffectSpec& spec : effects)
     add(std::visit([this](const auto& effect) { return make(effect, parts_); }, spec));
 }
@@ -33,6 +37,13 @@ void World::add(std::unique_ptr<Effect> effect) { effects_.push_back(std::move(e
 void World::prepare(const State& state, Acting which) {
   for (auto& effect : effects_)
     if (is_meant(*effect, which)) effect->prepare(state);
+  if (mid_surface_ && which != Acting::dissipative) hold_mid_surface(state.q);
+}
+
+void World::hold_mid_surface(const Points& q) {
+  Points row = ties_.gather(mid_surface_->slope(q));
+  row.rightCols<2>().array() *= guide_.mobility().array();
+  constraints_.hold_only(row);
 }
 
 void World::forget() {

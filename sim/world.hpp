@@ -9,6 +9,7 @@
 
 #include "sim/constraints.hpp"
 #include "sim/mass.hpp"
+#include "sim/mid_surface.hpp"
 #include "sim/parts.hpp"
 #include "sim/periods.hpp"
 #include "sim/ties.hpp"
@@ -67,7 +68,12 @@ class World {
   const Ties& ties() const { return ties_; }
   const PeriodGuide& guide() const { return guide_; }
   const Mass& mass() const { return mass_; }
+  /// Those of a fabric that curls hold its mid-surface, as it was at the last prepare() of what is elastic.
   const Constraints& constraints() const { return constraints_; }
+  /// Brings a state of a fabric that curls, after it has moved, back to where its mid-surface is held.
+  void settle(State& state) const {
+    if (mid_surface_) mid_surface_->settle(state.q);
+  }
   const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
   const Parts& parts() const { return parts_; }
   /// The smallest gap between yarns over their diameter, at the last prepare().
@@ -76,6 +82,8 @@ class World {
   std::vector<Gap> gaps() const;
 
  private:
+  void hold_mid_surface(const Points& q);
+
   const Fabric& fabric_;
   RestSchedules rest_;
   State start_;
@@ -83,8 +91,9 @@ class World {
   Ties ties_;
   PeriodGuide guide_;
   Mass mass_;
-  std::vector<std::uint8_t> held_;     // by control point; empty: none is
-  std::optional<Mass> moving_mass_{};  // of the others, if some are held
+  std::vector<std::uint8_t> held_;         // by control point; empty: none is
+  std::optional<Mass> moving_mass_{};      // of the others, if some are held
+  std::optional<MidSurface> mid_surface_;  // of a fabric that curls
   Constraints constraints_;
   std::vector<std::unique_ptr<Effect>> effects_;
   const std::atomic<bool>* interrupt_ = nullptr;

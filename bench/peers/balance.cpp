@@ -21,7 +21,7 @@ Balance::Balance(World& world, State from)
 
 void Balance::load(double t) {
   from_.t = t;
-  if (world_.fabric().cell) world_.guide().lead(from_);
+  if (const auto& cell = world_.fabric().cell) world_.guide().lead(*cell, from_);
 }
 
 State Balance::at(const ConstVector& x) const {

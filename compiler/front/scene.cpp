@@ -58,7 +58,8 @@ std::optional<ParsedScene> read_scene(const Source& source, Diagnostics& say) {
   common.solver_open = !fields.find("solver");
   if (const YamlNode* solver = fields.find("solver"))
     common.solver = read_solver(*solver, scene.overrides.periodic, say);
-  scene.stages = read_stages(*root, common, scene.overrides.periodic, scene.mentions, say);
+  const bool curls = scene.curls != Curls::never;
+  scene.stages = read_stages(*root, common, scene.overrides.periodic, curls, scene.mentions, say);
   if (say.error_count() > errors_before) return std::nullopt;
   return scene;
 }

@@ -45,6 +45,7 @@ struct ParsedScene {
   ChartOverrides overrides;              ///< of a chart; its materials are for the carriers of a knitout file too
   KnitoutOptions knitout;                ///< of a knitout file
   std::vector<PatternKey> pattern_keys;  ///< those given, in the order read
+  Curls curls = Curls::never;            ///< of a periodic fabric
   int segments_per_stitch = 12;
   std::optional<double> accuracy;  ///< see Scene
   double thickness = 0;            ///< 2r of sigma = F / (2r S_R), m; 0: twice the contact diameter

@@ -32,7 +32,7 @@ class FabricReader {
  public:
   FabricReader(const YamlNode& node, ParsedScene& scene, Diagnostics& say)
       : fields_(node, "a fabric",
-                {"pattern", "crop", "wales", "courses", "periodic", "yarn", "yarns", "plating", "stitch_length",
+                {"pattern", "crop", "wales", "courses", "periodic", "curl", "yarn", "yarns", "plating", "stitch_length",
                  "segments_per_stitch"},
                 say),
         scene_(scene),
@@ -46,6 +46,7 @@ class FabricReader {
     }
     read_size();
     if (const YamlNode* periodic = fields_.find("periodic")) read_periodic(*periodic);
+    if (const YamlNode* curl = fields_.find("curl")) read_curl(*curl);
     if (const YamlNode* yarn = fields_.find("yarn"))
       scene_.overrides.materials.otherwise = read_material(*yarn, "yarn", say_);
     if (const YamlNode* yarns = fields_.find("yarns")) read_yarns(*yarns);
@@ -81,6 +82,14 @@ class FabricReader {
   void read_periodic(const YamlNode& node) {
     scene_.overrides.periodic = read_bool(node, "\"periodic\"", say_).value_or(false);
     if (scene_.overrides.periodic) only_for_charts("\"periodic\"", "leave it out, or draw one repeat as a chart", node);
+  }
+
+  void read_curl(const YamlNode& node) {
+    const auto word = read_word(node, "\"curl\"", {"never", "about_courses"}, say_);
+    scene_.curls = static_cast<Curls>(word.value_or(0));
+    if (scene_.curls != Curls::never && !scene_.overrides.periodic)
+      say_.error("S010", node.span, "\"curl\" is for periodic fabrics, and this is a swatch",
+                 "add `periodic: true`, or leave it out: a swatch curls as it is let");
   }
 
   void read_yarns(const YamlNode& node) {

@@ -24,9 +24,10 @@ std::vector<Shrink> read_shrink(const YamlNode&, Mentions&, Diagnostics&);
 SolverSpec read_solver(const YamlNode&, bool periodic, Diagnostics&);
 /// `pull`: a direction and a strain, or several. Nothing if it is no map.
 std::optional<Pull> read_pull(const YamlNode&, bool periodic, Diagnostics&);
-/// `deform`: what becomes of both periods and their shear.
+/// `deform`: what becomes of both periods, their shear and their curl.
 Deform read_deform(const YamlNode&, Diagnostics&);
 /// `common` holds the effects and the solver of every stage.
-std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, Mentions&, Diagnostics&);
+std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, bool curls, Mentions&,
+                               Diagnostics&);
 
 }  // namespace wale

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/fields.hpp"
 #include "compiler/front/scene_parts.hpp"
 #include "compiler/front/scene_settings.hpp"
@@ -14,7 +16,7 @@ constexpr int most_samples = 100'000;
 
 class StageReader {
  public:
-  StageReader(const YamlNode& node, Stage common, bool periodic, Mentions& mentions, Diagnostics& say)
+  StageReader(const YamlNode& node, Stage common, bool periodic, bool curls, Mentions& mentions, Diagnostics& say)
       : node_(node),
         fields_(node, "a stage",
                 {"name", "duration", "samples", "tighten", "shrink", "hold", "mount", "pull", "deform",
@@ -22,6 +24,7 @@ class StageReader {
                 say),
         stage_(std::move(common)),
         periodic_(periodic),
+        curls_(curls),
         mentions_(mentions),
         say_(say) {}
 
@@ -97,7 +100,7 @@ class StageReader {
 
   static bool drives(const Deform& deform) {
     const auto driven = [](const Deform::Part& part) { return part.how == Deform::How::driven; };
-    return driven(deform.wale) || driven(deform.course) || driven(deform.shear);
+    return driven(deform.wale) || driven(deform.course) || driven(deform.shear) || driven(deform.curl);
   }
 
   void check_suits_fabric() {
@@ -110,6 +113,21 @@ class StageReader {
       refuse("hold", "leave it out, so that the repeat shrinks with its yarn, or write `hold: periods`");
     refuse("mount", "leave it out: a stage without a pull lets both periods go where they carry no force");
     refuse("grip_stiffness", "leave it out: periods are not gripped");
+    check_suits_curl();
+  }
+
+  void check_suits_curl() {
+    const YamlNode* deform = fields_.find("deform");
+    const YamlNode* curl = deform ? deform->find("curl") : nullptr;
+    if (curl && !curls_)
+      say_.error("S010", curl->span, "this fabric is flat, and has no curl",
+                 "write `curl: about_courses` in `fabric`, or leave it out");
+    const bool plates = std::any_of(stage_.effects.begin(), stage_.effects.end(),
+                                    [](const EffectSpec& effect) { return std::holds_alternative<Plates>(effect); });
+    if (plates && curls_)
+      say_.error("S010", {node_.span.source, node_.span.begin, node_.span.begin},
+                 "plates keep a fabric flat, and this one may curl",
+                 "leave out `plates`, or `curl`: a periodic fabric without it is flat");
   }
 
   void refuse(std::string_view key, std::string_view hint) {
@@ -125,7 +143,7 @@ class StageReader {
   const YamlNode& node_;
   Fields fields_;
   Stage stage_;
-  bool periodic_;
+  bool periodic_, curls_;
   Mentions& mentions_;
   Diagnostics& say_;
 };
@@ -147,7 +165,7 @@ std::vector<Shrink> read_shrink(const YamlNode& node, Mentions& mentions, Diagno
   return all;
 }
 
-std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, Mentions& mentions,
+std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool periodic, bool curls, Mentions& mentions,
                                Diagnostics& say) {
   const YamlNode* node = root.find("stages");
   const Span start{root.span.source, root.span.begin, root.span.begin};
@@ -157,7 +175,8 @@ std::vector<Stage> read_stages(const YamlNode& root, const Stage& common, bool p
     return {};
   }
   std::vector<Stage> stages;
-  for (const YamlNode& item : node->items) stages.push_back(StageReader(item, common, periodic, mentions, say).read());
+  for (const YamlNode& item : node->items)
+    stages.push_back(StageReader(item, common, periodic, curls, mentions, say).read());
   return stages;
 }
 

@@ -17,13 +17,16 @@ constexpr std::string_view each_differs =
 constexpr double longest = 20;
 constexpr Range swatch_strain{1e-6, longest}, swatch_turn{0, longest};  // a swatch that is pushed together buckles
 constexpr Range period_strain{-0.9, longest}, shear_strain{-longest, longest};
+constexpr Range bend{-1e4, 1e4};  // 1/m, a tenth of a millimetre around
 
 /// One strain, or a list of them; what is faulty is reported and left out.
-std::vector<double> read_strains(const YamlNode& node, Range alone, Range in_list, Diagnostics& say) {
+std::vector<double> read_strains(const YamlNode& node, Range alone, Range in_list, Diagnostics& say,
+                                 const Dimension& dimension = dimensions::ratio) {
+  const bool strain = dimension.unit == dimensions::ratio.unit;
   std::vector<double> strains;
   const auto read = [&](const YamlNode& item, Range range) {
-    if (const auto strain = read_quantity(item, "the strain", dimensions::ratio, range, say))
-      strains.push_back(*strain);
+    if (const auto value = read_quantity(item, strain ? "the strain" : "the curvature", dimension, range, say))
+      strains.push_back(*value);
   };
   if (node.kind != YamlNode::Kind::list) {
     read(node, alone);
@@ -52,10 +55,11 @@ void check_moves(const std::vector<double>& strains, const YamlNode& node, Diagn
   }
 }
 
-Deform::Part read_part(const YamlNode& node, std::string_view key, Range range, Diagnostics& say) {
+Deform::Part read_part(const YamlNode& node, std::string_view key, Range range, const Dimension& dimension,
+                       Diagnostics& say) {
   const bool word = node.kind == YamlNode::Kind::scalar && !node.text.empty() &&
                     std::isalpha(static_cast<unsigned char>(node.text.front()));
-  if (!word) return {Deform::How::driven, read_strains(node, range, range, say)};
+  if (!word) return {Deform::How::driven, read_strains(node, range, range, say, dimension)};
   const auto how = read_word(node, fmt::format("\"{}\"", key), {"free", "held"}, say);
   return {how.value_or(0) == 1 ? Deform::How::held : Deform::How::free, {}};
 }
@@ -64,6 +68,8 @@ struct DrivenPart {
   const YamlNode* node = nullptr;
   std::string_view key;
   const std::vector<double>* strains = nullptr;
+  bool from_zero = true;  ///< where it begins is known
+  bool rests(std::size_t k) const { return (k > 0 || from_zero) && stands_still(*strains, k); }
 };
 
 /// All driven parts reach their strains together, and something moves every time.
@@ -80,7 +86,7 @@ void check_together(const std::vector<DrivenPart>& driven, Diagnostics& say) {
   }
   for (std::size_t k = 0; k < first.strains->size(); ++k) {
     if (!std::all_of(driven.begin(), driven.end(),
-                     [k](const DrivenPart& part) { return stands_still(*part.strains, k); }))
+                     [k](const DrivenPart& part) { return part.rests(k); }))
       continue;
     say.error("S011", place(*first.node, k), "the strain is there already",
               std::string(each_differs) + "; `held` keeps a period as it is");
@@ -114,18 +120,20 @@ std::optional<Pull> read_pull(const YamlNode& node, bool periodic, Diagnostics& 
 }
 
 Deform read_deform(const YamlNode& node, Diagnostics& say) {
-  const Fields fields(node, "a deformation", {"wale", "course", "shear"}, say);
+  const Fields fields(node, "a deformation", {"wale", "course", "shear", "curl"}, say);
   Deform deform;
   std::vector<DrivenPart> driven;
-  const auto read = [&](std::string_view key, Range range, Deform::Part& part) {
+  const auto read = [&](std::string_view key, Range range, Deform::Part& part,
+                        const Dimension& dimension = dimensions::ratio) {
     const YamlNode* given = fields.find(key);
     if (!given) return;
-    part = read_part(*given, key, range, say);
-    if (part.how == Deform::How::driven && !part.strains.empty()) driven.push_back({given, key, &part.strains});
+    part = read_part(*given, key, range, dimension, say);
+    if (part.how == Deform::How::driven && !part.strains.empty()) driven.push_back({given, key, &part.strains, &part != &deform.curl});
   };
   read("wale", period_strain, deform.wale);
   read("course", period_strain, deform.course);
   read("shear", shear_strain, deform.shear);
+  read("curl", bend, deform.curl, dimensions::curvature);
   check_together(driven, say);
   return deform;
 }

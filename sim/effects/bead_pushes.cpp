@@ -34,6 +34,7 @@ class RangeOfSegments {
     return kernels().beads.push({.rows = beads_.rows(),
                                  .materials = beads_.fabric().materials.data(),
                                  .material = beads_.materials().data(),
+                                 .images = beads_.image_rows().data(),
                                  .displacements = beads_.displacements().front().data(),
                                  .contacts = contacts_.data(),
                                  .count = static_cast<int>(contacts_.size()),
@@ -101,7 +102,13 @@ class RangeOfSegments {
   std::vector<double> push_, outgoing_;  // rows of beads
 };
 
-void add_late(const Late& of, const Beads& beads, Points& force) {
+void add_late(const Late& of, const Beads& beads, const Points& q, Points& force) {
+  if (const Image* turned = beads.turned(of.image)) {
+    const OnImage back = carried_back(*turned, q.middleCols<4>(of.first_point), of.force.transpose());
+    force.middleCols<4>(of.first_point) += back.points;
+    force.rightCols<2>() += back.periods;
+    return;
+  }
   // The three shared points of a yarn of one segment may be the last.
   const int points = std::min(4, static_cast<int>(force.cols()) - of.first_point);
   for (int k = 0; k < points; ++k) force.col(of.first_point + k) += of.force.row(k).transpose();
@@ -113,7 +120,7 @@ void add_late(const Late& of, const Beads& beads, Points& force) {
 
 }  // namespace
 
-void add_pushes(const Beads& beads, const ListContacts& list, Load& out) {
+void add_pushes(const Beads& beads, const Points& q, const ListContacts& list, Load& out) {
   const std::vector<int>& boundaries = beads.boundaries();
   std::vector<double> energies(boundaries.size() - 1);
   std::vector<std::vector<Late>> late(energies.size());
@@ -126,7 +133,7 @@ void add_pushes(const Beads& beads, const ListContacts& list, Load& out) {
   if (out.energy)
     for (const double energy : energies) *out.energy += energy;
   for (const std::vector<Late>& some : late)
-    for (const Late& of : some) add_late(of, beads, *out.force);
+    for (const Late& of : some) add_late(of, beads, q, *out.force);
 }
 
 }  // namespace wale

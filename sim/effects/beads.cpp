@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "sim/effects/grid.hpp"
@@ -11,6 +12,10 @@
 
 namespace wale {
 namespace {
+
+// Of a fabric that curls: how much less than the mid-surface a course may measure on the side of the axis, and how far
+// around images may be, as the fabric does not meet itself behind the axis.
+constexpr double least_shortening = 0.2, half_turn = std::numbers::pi;
 
 /// Ranges of segments: enough for many threads, but not so short that most contacts reach out of them.
 std::vector<int> even_boundaries(int segments) {
@@ -58,6 +63,7 @@ void Beads::set_up_kernels() {
   stride_ = (bases_.size() - 1 + row_step - 1) / row_step * row_step;
   boundaries_ = even_boundaries(fabric_.segment_count());
   rows_.resize(3 * stride_ * segments);
+  image_rows_ = {rows_.data()};
   arc_rows_.resize(stride_ * segments);
   weights_.resize(5 * stride_ * bases_.size());
   spread_weights_.resize(4 * stride_ * bases_.size());
@@ -133,7 +139,7 @@ void Beads::prepare(const Points& q) {
     listed_rows_ = rows_;
     ++version_;
   }
-  if (fabric_.cell) displace_images(q);
+  if (fabric_.cell) place_images(q);
   double closest = std::numeric_limits<double>::infinity();
   for (int image = 0; image < static_cast<int>(images_.size()); ++image) closest = std::min(closest, measure(image));
   closest_ = std::sqrt(closest);
@@ -168,6 +174,7 @@ BeadSpreading Beads::spreading() const {
 /// The least squared distance over the squared diameter.
 double Beads::measure(int image) {
   const BeadMeasuring measuring{.rows = rows(),
+                                .image = image_rows_[index(image)],
                                 .displacement = displacements_[index(image)].data(),
                                 .first_pair = first_pairs_of(image),
                                 .partner = partner_.data(),
@@ -187,9 +194,23 @@ double Beads::measure(int image) {
 
 double Beads::nearer_by_periods(const Points& q) const {
   if (!fabric_.cell) return 0;
+  if (curls()) return nearer_by_turns(q);
   const Points periods = q.rightCols<2>() - listed_periods_;
   double furthest = 0;
   for (const Eigen::Vector2i& image : images_) furthest = std::max(furthest, (periods * image.cast<double>()).norm());
+  return furthest;
+}
+
+/// An image of the beads' box moves no further than its furthest corner.
+double Beads::nearer_by_turns(const Points& q) const {
+  double furthest = 0;
+  for (const Eigen::Vector2i& steps : images_) {
+    const Image before(*fabric_.cell, listed_periods_, steps), now(*fabric_.cell, q.rightCols<2>(), steps);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 at = listed_box_.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+      furthest = std::max(furthest, (now(at) - before(at)).norm());
+    }
+  }
   return furthest;
 }
 
@@ -197,25 +218,54 @@ double Beads::nearer_by_periods(const Points& q) const {
 void Beads::find_images(const Points& q) {
   listed_periods_ = q.rightCols<2>();
   const Vec3 course = listed_periods_.col(0), wale = listed_periods_.col(1);
-  Vec3 low = position(0, 0), high = low;
+  const double bent = curls() ? curvature(*fabric_.cell, listed_periods_) : 0;
+  listed_box_.setEmpty();
+  Eigen::AlignedBox3d flat;
   for (int i = 0; i < fabric_.segment_count(); ++i)
     for (int k = 0; k < count(i); ++k) {
-      low = low.cwiseMin(position(i, k));
-      high = high.cwiseMax(position(i, k));
+      listed_box_.extend(position(i, k));
+      flat.extend(rolled_out(position(i, k), bent));
     }
-  const Vec3 span = high - low + Vec3::Constant(reach_ + skin_);
+  // Towards the axis a way is shorter than along the mid-surface.
+  const double shorter = std::max(least_shortening, 1 - std::max(bent * flat.max().z(), bent * flat.min().z()));
+  listed_box_.min().array() -= skin_;
+  listed_box_.max().array() += skin_;
+  const Vec3 span = flat.sizes() + Vec3(1, 1 / shorter, 1) * (reach_ + skin_);
   images_.assign(1, Eigen::Vector2i::Zero());
-  for (int up = 0; up * std::abs(wale.y()) < span.y(); ++up) {
+  for (int up = 0; up * std::abs(wale.y()) < span.y() && up * std::abs(wale.y() * bent) < half_turn; ++up) {
     const double off = up * wale.x() / course.x(), most = span.x() / std::abs(course.x());
     for (int across = static_cast<int>(std::ceil(-most - off)); across <= most - off; ++across)
       if (up > 0 || across > 0) images_.emplace_back(across, up);
   }
-  displace_images(q);
+  place_images(q);
 }
 
-void Beads::displace_images(const Points& q) {
+void Beads::place_images(const Points& q) {
+  image_rows_.assign(images_.size(), rows_.data());
+  if (curls()) {
+    displacements_.assign(images_.size(), Vec3::Zero());
+    turned_.clear();
+    turned_rows_.resize(images_.size());
+    for (int image = 0; image < static_cast<int>(images_.size()); ++image) {
+      turned_.emplace_back(*fabric_.cell, q.rightCols<2>(), images_[index(image)]);
+      if (image > 0) turn_image(image);
+    }
+    return;
+  }
   displacements_.clear();
   for (const Eigen::Vector2i& image : images_) displacements_.emplace_back(q.rightCols<2>() * image.cast<double>());
+}
+
+void Beads::turn_image(int image) {
+  std::vector<double>& rows = turned_rows_[index(image)];
+  rows = rows_;
+  for (int i = 0; i < fabric_.segment_count(); ++i)
+    for (int k = 0; k < count(i); ++k) {
+      const Vec3 at = turned_[index(image)](position(i, k));
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        rows[(3 * index(i) + axis) * stride_ + index(k)] = at[static_cast<int>(axis)];
+    }
+  image_rows_[index(image)] = rows.data();
 }
 
 Beads::Spheres Beads::spheres() const {
@@ -244,11 +294,10 @@ void Beads::find_pairs() {
 
 void Beads::find_pairs(int image, const Grid& grid, const Spheres& around) {
   std::vector<std::vector<int>> partners(index(fabric_.segment_count()));
-  const Vec3 displacement = displacements_[index(image)];
 #pragma omp parallel for schedule(dynamic, 64)
   for (int a = 0; a < fabric_.segment_count(); ++a) {
     auto& mine = partners[index(a)];
-    const Vec3 centre = around.centres.col(a) - displacement;
+    const Vec3 centre = back(around.centres.col(a), image);
     grid.near(centre, [&](int b) {
       if (b <= a && image == 0) return;
       const double furthest = diameter(a, b) + skin_ + around.radii[a] + around.radii[b];
@@ -293,7 +342,7 @@ void Beads::list_gaps(std::vector<Gap>& out) const {
 bool Beads::is_within_reach(const SegmentPair& pair) const {
   const double reach = diameter(pair.a, pair.b) + skin_;
   for (int i = 0; i < count(pair.a); ++i) {
-    const Vec3 at = position(pair.a, i) - displacement(pair);
+    const Vec3 at = back(position(pair.a, i), pair.image);
     for (int j = 0; j < count(pair.b); ++j)
       if ((at - position(pair.b, j)).squaredNorm() < reach * reach && !screened(pair, i, j)) return true;
   }

@@ -1,11 +1,13 @@
 /// The contact beads along all yarns, and which segments are near enough for their beads to touch.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "sim/effect.hpp"
+#include "sim/image.hpp"
 #include "sim/kernels/bead_kernels.hpp"
 #include "sim/parts.hpp"
 #include "sim/spline.hpp"
@@ -47,8 +49,11 @@ class Beads {
   std::size_t plain_pairs() const { return plain_pairs_; }
   /// Course and wale periods by which an image is displaced; the first by none.
   const std::vector<Eigen::Vector2i>& images() const { return images_; }
-  /// How far the b of a pair is displaced at the last prepare(), m.
+  /// How far the b of a pair is displaced at the last prepare(), m; not at all if it is turned().
   const Vec3& displacement(const SegmentPair& pair) const { return displacements_[index(pair.image)]; }
+  /// The image that a pair is with, if the fabric curls; else, or if it is with b as it lies, null.
+  const Image* turned(const SegmentPair& pair) const { return turned(pair.image); }
+  const Image* turned(int image) const { return turned_.empty() || image == 0 ? nullptr : &turned_[index(image)]; }
   /// Grows by one whenever the list is renewed.
   long version() const { return version_; }
   /// Smallest bead distance over contact diameter at the last prepare().
@@ -59,9 +64,10 @@ class Beads {
   /// Appends pairs() with their distances.
   void list_gaps(std::vector<Gap>& out) const;
   /// Where a bead was at the last prepare(), m.
-  Vec3 position(int segment, int bead) const {
-    const double* x = rows_.data() + 3 * stride_ * index(segment) + bead;
-    return {x[0], x[stride_], x[2 * stride_]};
+  Vec3 position(int segment, int bead) const { return position(rows_.data(), segment, bead); }
+  /// Where the b of a pair was then, before it is displaced, m.
+  Vec3 position_of_image(const SegmentPair& pair, int bead) const {
+    return position(image_rows_[index(pair.image)], pair.b, bead);
   }
   /// The same, of all beads.
   BeadRows rows() const { return {static_cast<int>(stride_), rows_.data(), arc_rows_.data(), bead_count_.data()}; }
@@ -91,6 +97,8 @@ class Beads {
   double arc_on(std::size_t pair) const { return arc_on_[pair]; }
   /// How far images are displaced at the last prepare(), m.
   const std::vector<Vec3>& displacements() const { return displacements_; }
+  /// Where their beads are before that, as rows().
+  const std::vector<const double*>& image_rows() const { return image_rows_; }
   /// Contact diameter of two segments: the mean of both, m.
   double diameter(int a, int b) const {
     return diameter_[index(material_[index(a)]) * fabric_.materials.size() + index(material_[index(b)])];
@@ -118,9 +126,20 @@ class Beads {
   bool locate_awake(const BeadLocating&, int first, int last) const;
   /// By how much beads and their images may have come nearer since the list was made because the periods changed, m.
   double nearer_by_periods(const Points& q) const;
+  double nearer_by_turns(const Points& q) const;
   double measure(int image);
+  Vec3 position(const double* rows, int segment, int bead) const {
+    const double* x = rows + 3 * stride_ * index(segment) + bead;
+    return {x[0], x[stride_], x[2 * stride_]};
+  }
+  bool curls() const { return fabric_.cell && fabric_.cell->curls != Curls::never; }
   void find_images(const Points& q);
-  void displace_images(const Points& q);
+  void place_images(const Points& q);
+  void turn_image(int image);
+  /// Where the place is of which `at` is the image.
+  Vec3 back(const Vec3& at, int image) const {
+    return turned(image) ? turned(image)->back(at) : Vec3(at - displacements_[index(image)]);
+  }
   /// One around the beads of each segment, m.
   struct Spheres {
     Points centres;
@@ -143,12 +162,16 @@ class Beads {
   std::vector<double> length_of_yarn_;     // knitted, m
   std::vector<Eigen::Vector2i> images_{Eigen::Vector2i::Zero()};
   std::vector<Vec3> displacements_{Vec3::Zero()};  // by image, m
+  std::vector<Image> turned_;                      // by image; empty unless the fabric curls
+  std::vector<std::vector<double>> turned_rows_;   // likewise: beads
+  std::vector<const double*> image_rows_;          // by image: those, or rows_
   std::vector<SegmentPair> pairs_;
   std::size_t plain_pairs_ = 0;
   std::vector<std::uint8_t> asleep_;  // by segment
   bool sleepers_located_ = false;
   std::vector<SegmentPair> all_pairs_;  // whoever sleeps; empty if nobody does
   Points listed_periods_;               // both, when the list was made; empty if the fabric has none
+  Eigen::AlignedBox3d listed_box_;      // around all beads then
   double closest_ = 0;
   long version_ = 0;
 

@@ -43,7 +43,7 @@ concept PairLaw = requires(const L& law, const Touch& touch, Push& push, bool se
 };
 
 /// A law whose `by_kernels` is true is that of the materials, see contact_law.hpp: the force kernels know it, and it is
-/// asked for second slopes only.
+/// asked where second slopes are wanted only.
 template <PairLaw L>
 class BetweenYarns final : public Effect {
  public:
@@ -68,7 +68,8 @@ class BetweenYarns final : public Effect {
     if constexpr (L::by_kernels) {
       if (out.energy || out.force)
         add_pushes(
-            *beads_, [&](int from, int to, std::vector<BeadContact>& some) { list(spacing, from, to, some); }, out);
+            *beads_, at.q, [&](int from, int to, std::vector<BeadContact>& some) { list(spacing, from, to, some); },
+            out);
       if (!blocks_wanted) return;
     }
     std::vector<Contact> contacts;
@@ -87,11 +88,14 @@ class BetweenYarns final : public Effect {
           push_all(at, some[c], slopes[c], blocks.empty() ? nullptr : &blocks[c], on_b);
         }
       }
-      if constexpr (!L::by_kernels) gather(some, slopes, out);
+      if constexpr (!L::by_kernels) gather(some, slopes, at.q, out);
       if (blocks.empty()) continue;
       gather(some, blocks, places, second);
       for (std::size_t m = 0; m < 2; ++m)
-        if (second[m] && beads_->images().size() > 1) gather_periods(some, blocks, m, *second[m]);
+        if (second[m] && beads_->images().size() > 1) {
+          gather_periods(some, blocks, m, *second[m]);
+          gather_turned(some, blocks, slopes, at.q, m, *second[m]);
+        }
     }
   }
 
@@ -113,6 +117,14 @@ class BetweenYarns final : public Effect {
   const SegmentPair& pair_of(const Contact& contact) const { return beads_->pairs()[contact.pair]; }
 
   static Vec3 velocity_of(const Eigen::Vector2d& image, const State& at) { return at.v.rightCols<2>() * image; }
+  /// Those of the images of four control points.
+  static Points velocities_of(const Image& image, int first, const State& at) {
+    Points of = image.turn() * at.v.middleCols<4>(first);
+    for (int k = 0; k < 4; ++k)
+      for (int period = 0; period < 2; ++period)
+        of.col(k) += image.by_period(at.q.col(first + k), period) * at.v.rightCols<2>().col(period);
+    return of;
+  }
 
   /// How far apart beads are on their yarn, by segment, m.
   std::vector<double> spacings(double t) const {
@@ -166,8 +178,13 @@ class BetweenYarns final : public Effect {
                 std::vector<Twin>& on_b) const {
     const auto [a, b, image] = pair_of(contact);
     const Vec3 displacement = beads_->displacement(pair_of(contact));
-    const Vec3 moving_on = image > 0 ? velocity_of(image_of(contact), at) : Vec3(Vec3::Zero());
     const int first_a = parts_.fabric.first_point(a), first_b = parts_.fabric.first_point(b);
+    const Image* const turned = beads_->turned(image);
+    const Vec3 moving_on = image > 0 && !turned ? velocity_of(image_of(contact), at) : Vec3(Vec3::Zero());
+    const Points of_images = turned ? velocities_of(*turned, first_b, at) : Points();
+    const auto velocity_of_b = [&](const Basis& bb) {
+      return turned ? combine(of_images, 0, bb.value) : combine(at.v, first_b, bb.value);
+    };
     Touch touch{.weight = contact.weight,
                 .diameter = contact.diameter,
                 .a = &parts_.fabric.material_of(a),
@@ -181,11 +198,11 @@ class BetweenYarns final : public Effect {
       mixed.fill(Twin::Zero());
       bool touched = false;
       for (int j = 0; j < beads_->count(b); ++j) {
-        touch.apart = beads_->position(a, i) - beads_->position(b, j) - displacement;
+        touch.apart = beads_->position(a, i) - beads_->position_of_image(pair_of(contact), j) - displacement;
         if (touch.apart.squaredNorm() >= touch.diameter * touch.diameter) continue;
         if (beads_->screened(pair_of(contact), i, j)) continue;
         const Basis& bb = beads_->basis_of(b, j);
-        touch.velocity = combine(at.v, first_a, ba.value) - combine(at.v, first_b, bb.value) - moving_on;
+        touch.velocity = combine(at.v, first_a, ba.value) - velocity_of_b(bb) - moving_on;
         Push push;
         law_(touch, push, blocks != nullptr);
         add_slopes(push, ba, bb, slopes);
@@ -235,13 +252,20 @@ class BetweenYarns final : public Effect {
     }
   }
 
-  void gather(std::span<const Contact> contacts, const std::vector<Slopes>& slopes, Load& out) const {
+  void gather(std::span<const Contact> contacts, const std::vector<Slopes>& slopes, const Points& q, Load& out) const {
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       if (out.energy) *out.energy += slopes[c].energy;
       if (out.dissipation) *out.dissipation += slopes[c].dissipation;
       if (!out.force) continue;
       out.force->middleCols<4>(parts_.fabric.first_point(pair_of(contacts[c]).a)) += slopes[c].on_a;
-      out.force->middleCols<4>(parts_.fabric.first_point(pair_of(contacts[c]).b)) += slopes[c].on_b;
+      const int first_b = parts_.fabric.first_point(pair_of(contacts[c]).b);
+      if (const Image* turned = beads_->turned(pair_of(contacts[c]))) {
+        const OnImage back = carried_back(*turned, q.middleCols<4>(first_b), slopes[c].on_b);
+        out.force->middleCols<4>(first_b) += back.points;
+        out.force->rightCols<2>() += back.periods;
+        continue;
+      }
+      out.force->middleCols<4>(first_b) += slopes[c].on_b;
       // An image moves with the periods: together they bear what its control points do.
       if (pair_of(contacts[c]).image > 0)
         out.force->rightCols<2>() += slopes[c].on_b.rowwise().sum() * image_of(contacts[c]).transpose();
@@ -253,6 +277,7 @@ class BetweenYarns final : public Effect {
     share_points(out[0] ? out[0]->points() : out[1]->points(), contacts.size() < few, [&](int first, int last) {
       for (std::size_t c = 0; c < contacts.size(); ++c) {
         const SegmentPair& pair = pair_of(contacts[c]);
+        if (beads_->turned(pair)) continue;
         std::size_t block = 0;
         for (int j = 0; j < 8; ++j)
           for (int k = j; k < 8; ++k, ++block) {
@@ -274,7 +299,7 @@ class BetweenYarns final : public Effect {
                       Stiffness& out) const {
     const std::vector<int>& places = period_places_in(out);
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-      if (pair_of(contacts[c]).image == 0) continue;
+      if (pair_of(contacts[c]).image == 0 || beads_->turned(pair_of(contacts[c]))) continue;
       const Eigen::Vector2d image = image_of(contacts[c]);
       auto place =
           places.begin() + static_cast<std::ptrdiff_t>((contacts[c].pair - beads_->plain_pairs()) * period_blocks);
@@ -290,6 +315,83 @@ class BetweenYarns final : public Effect {
       out.add_at(*place++, image[0] * image[1] * by_periods);
       out.add_at(*place++, image[1] * image[1] * by_periods);
     }
+  }
+
+  /// The same of images that turn, and of their control points as well. What moves them are four control points and the
+  /// periods; and as they turn as these move, forces on them change direction.
+  void gather_turned(std::span<const Contact> contacts, const std::vector<Blocks>& blocks,
+                     const std::vector<Slopes>& slopes, const Points& q, std::size_t which, Stiffness& out) const {
+    const std::vector<int>* places = nullptr;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const SegmentPair& pair = pair_of(contacts[c]);
+      const Image* const image = beads_->turned(pair);
+      if (!image) continue;
+      if (!places) places = &turned_places_in(out);
+      const Quad points = q.middleCols<4>(parts_.fabric.first_point(pair.b));
+      ByMovers by_movers = moved_by(*image, points).transpose() * whole(blocks[c], which) * moved_by(*image, points);
+      if (L::elastic && which == 0) subtract_turning(*image, points, slopes[c].on_b, by_movers);
+      add_by_movers(pair, by_movers, places->begin() + place_of_turned(contacts[c].pair), out);
+    }
+  }
+
+  static constexpr int movers = 10;  // eight control points and two periods
+  static constexpr std::ptrdiff_t turned_blocks = movers * (movers + 1) / 2;
+  using ByMovers = Eigen::Matrix<double, 3 * movers, 3 * movers>;
+  using ByEight = Eigen::Matrix<double, 24, 24>;
+  using MovedBy = Eigen::Matrix<double, 24, 3 * movers>;
+
+  std::ptrdiff_t place_of_turned(std::size_t pair) const {
+    return static_cast<std::ptrdiff_t>(pair - beads_->plain_pairs()) * turned_blocks;
+  }
+
+  static ByEight whole(const Blocks& blocks, std::size_t which) {
+    ByEight all;
+    for (std::size_t j = 0; j < 8; ++j)
+      for (std::size_t k = 0; k < 8; ++k)
+        all.block<3, 3>(static_cast<int>(3 * j), static_cast<int>(3 * k)) =
+            one_of(blocks[block_at(std::min(j, k), std::max(j, k))], which);
+    return all;
+  }
+
+  /// The control points of a and the images of b's by what moves them.
+  static MovedBy moved_by(const Image& image, const Quad& points) {
+    MovedBy by = MovedBy::Zero();
+    by.topLeftCorner<12, 12>().setIdentity();
+    for (int k = 0; k < 4; ++k) {
+      by.block<3, 3>(12 + 3 * k, 12 + 3 * k) = image.turn();
+      for (int period = 0; period < 2; ++period)
+        by.block<3, 3>(12 + 3 * k, 24 + 3 * period) = image.by_period(points.col(k), period);
+    }
+    return by;
+  }
+
+  static void subtract_turning(const Image& image, const Quad& points, const Quad& forces, ByMovers& by) {
+    for (int k = 0; k < 4; ++k)
+      for (int first = 0; first < 2; ++first) {
+        const Mat3 mixed = image.mixed(forces.col(k), first);
+        by.block<3, 3>(12 + 3 * k, 24 + 3 * first) -= mixed;
+        by.block<3, 3>(24 + 3 * first, 12 + 3 * k) -= mixed.transpose();
+        for (int second = 0; second < 2; ++second)
+          by.block<3, 3>(24 + 3 * first, 24 + 3 * second) -=
+              image.by_periods(forces.col(k), points.col(k), first, second);
+      }
+  }
+
+  /// The column of State::q that moves a pair.
+  int mover(const SegmentPair& pair, int k) const {
+    return k < 8 ? point(pair, k) : static_cast<int>(parts_.fabric.points.cols()) + k - 8;
+  }
+
+  void add_by_movers(const SegmentPair& pair, const ByMovers& by, std::vector<int>::const_iterator place,
+                     Stiffness& out) const {
+    for (int j = 0; j < movers; ++j)
+      for (int k = j; k < movers; ++k) {
+        const Mat3 block = by.block<3, 3>(3 * j, 3 * k);
+        const int p = mover(pair, j), q = mover(pair, k);
+        // The two segments may share a control point.
+        const bool twice = p == q && j != k;
+        out.add_at(*place++, twice ? Mat3(block + block.transpose()) : p <= q ? block : Mat3(block.transpose()));
+      }
   }
 
   /// Where block (j, k), j <= k, of the eight control points of a pair is.
@@ -342,6 +444,18 @@ class BetweenYarns final : public Effect {
         matrix.slots(course, course, 2, slots);
         matrix.slots(wale, wale, 1, slots);
       }
+    });
+  }
+
+  /// Of each pair with an image that turns: the blocks of what moves it.
+  const std::vector<int>& turned_places_in(Stiffness& matrix) const {
+    return matrix.places(&law_, beads_->version(), [&](std::vector<int>& slots) {
+      for (std::size_t p = beads_->plain_pairs(); p < beads_->pairs().size(); ++p)
+        for (int j = 0; j < movers; ++j)
+          for (int k = j; k < movers; ++k) {
+            const int i = mover(beads_->pairs()[p], j), other = mover(beads_->pairs()[p], k);
+            slots.push_back(matrix.slot(std::min(i, other), std::max(i, other)));
+          }
     });
   }
 

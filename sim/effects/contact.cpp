@@ -17,6 +17,7 @@ struct Repulsion {
   void operator()(const Touch& touch, Push& push, bool) const {
     const double square = touch.diameter * touch.diameter, squared_distance = touch.apart.squaredNorm();
     const Penalty f = penalty(*touch.a, *touch.b, squared_distance / square);
+    push.on_a = -touch.weight * f.slope / square * touch.apart;
     const Mat3 normal = touch.apart * touch.apart.transpose() / squared_distance;
     push.convex = touch.weight * f.second / square * normal;
     // The push lets the beads slip sideways off each other: negative geometric stiffness.

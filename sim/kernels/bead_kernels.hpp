@@ -22,7 +22,9 @@ struct BeadRows {
   const double* at = nullptr;           ///< where beads are, m
   const double* arc = nullptr;          ///< `stride` numbers a segment: how far along its yarn a bead is, m
   const std::int32_t* count = nullptr;  ///< beads, by segment
-  const double* row(int segment) const { return at + 3 * static_cast<long>(stride) * segment; }
+  const double* row(int segment) const { return row(segment, at); }
+  /// The same of other beads in as many rows.
+  const double* row(int segment, const double* of) const { return of + 3 * static_cast<long>(stride) * segment; }
 };
 
 /// Puts beads where the spline is.
@@ -41,7 +43,8 @@ struct BeadLocating {
 /// Measures pairs of segments with one image of each other.
 struct BeadMeasuring {
   BeadRows rows;
-  const double* displacement = nullptr;      ///< of the image from where the beads are: x, y, z, m
+  const double* image = nullptr;             ///< where the beads of the image are before they are displaced, as rows.at
+  const double* displacement = nullptr;      ///< of the image from there: x, y, z, m
   const std::int32_t* first_pair = nullptr;  ///< by segment a, and one more
   const std::int32_t* partner = nullptr;     ///< by pair: segment b; and `pair_padding` more of any segments
   const std::uint8_t* near_along = nullptr;  ///< by pair: whether beads of it may be screened
@@ -69,6 +72,7 @@ struct BeadPushing {
   BeadRows rows;
   const Material* materials = nullptr;
   const std::int32_t* material = nullptr;  ///< by segment
+  const double* const* images = nullptr;   ///< by image: where its beads are before they are displaced, as rows.at
   const double* displacements = nullptr;   ///< by image: x, y, z, m
   const BeadContact* contacts = nullptr;   ///< those of one a together
   int count = 0;

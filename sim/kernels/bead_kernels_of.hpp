@@ -122,7 +122,7 @@ class BeadKernelsOf {
   [[gnu::always_inline]] static double least(const BeadMeasuring& of, int a, int b, double arc_on) {
     const BeadRows& rows = of.rows;
     const int stride = rows.stride, count = known == any ? rows.count[a] : known;
-    const double *of_a = rows.row(a), *of_b = rows.row(b);
+    const double *of_a = rows.row(a), *of_b = rows.row(b, of.image);
     const double screening_length = of.screening_length[of.material[a] * of.materials + of.material[b]];
     const Vector<Real> displacement = one(of.displacement, 1);
     Real nearest = infinity;
@@ -228,7 +228,7 @@ class BeadKernelsOf {
     const BeadRows& rows = pushing.rows;
     const int stride = rows.stride;
     const Vector<Real> displacement = one(pushing.displacements + 3 * of.image, 1);
-    const double *row_a = rows.row(of.a) + first, *row_b = rows.row(of.b);
+    const double *row_a = rows.row(of.a) + first, *row_b = rows.row(of.b, pushing.images[of.image]);
     const double inverse_square = 1 / (of.diameter * of.diameter);
     const double scale = -of.weight * inverse_square;
     for (int j = 0; j < rows.count[of.b]; j += step) {

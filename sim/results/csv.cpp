@@ -67,6 +67,9 @@ std::vector<Printed> printed_columns(const Table& table, const std::vector<std::
     if (of_strain && is_known(*of_strain, rows)) columns.push_back({"strain_" + name, of_strain});
     if (of_stress && is_known(*of_stress, rows)) columns.push_back({"stress_" + name + "_MPa", of_stress, 1e-6});
   }
+  for (const auto& [name, printed] : {std::pair{"curvature", "curvature_per_m"}, std::pair{"moment", "moment_N"}})
+    if (const Column* of_curl = table.find(name); of_curl && is_known(*of_curl, rows))
+      columns.push_back({printed, of_curl});
   for (const Column& column : table.columns)
     if (is_of_obstacle(column) && is_known(column, rows)) columns.push_back({plain_name(column), &column});
   if (const Column* residual = table.find("residual"); residual && is_known(*residual, rows))

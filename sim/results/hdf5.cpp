@@ -26,6 +26,7 @@ void describe_cell(const Writer& in, const std::optional<PeriodicCell>& cell) {
   Points periods(3, 2);
   periods << cell->course, cell->wale;
   in.points("periods", "m", periods);
+  in.value("curls", static_cast<long>(cell->curls));
 }
 
 void describe_cell(const Reader& in, std::optional<PeriodicCell>& cell) {
@@ -34,6 +35,9 @@ void describe_cell(const Reader& in, std::optional<PeriodicCell>& cell) {
   in.points("periods", "m", periods);
   if (periods.cols() != 2) throw std::runtime_error("HDF5 file has a wrong shape of periods");
   cell = PeriodicCell{periods.col(0), periods.col(1)};
+  long curls = 0;
+  if (in.group().has("curls")) in.value("curls", curls);
+  cell->curls = static_cast<Curls>(curls);
 }
 
 /// Whether a member is there that older files lack.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "sim/image.hpp"
 #include "sim/polyline.hpp"
 #include "sim/results/curves.hpp"
 #include "sim/spline.hpp"
@@ -96,7 +97,8 @@ Sizes measure_repeat(const Fabric& fabric, const Gauge& gauge, const Points& q) 
   sizes.length = q(1, q.cols() - 1);
   sizes.wale_spacing = sizes.width / gauge.wales;
   sizes.course_spacing = sizes.length / gauge.courses;
-  sizes.thickness = thickness(fabric, q, Vec3::UnitZ());
+  const bool curls = fabric.cell->curls != Curls::never;
+  sizes.thickness = thickness(fabric, curls ? rolled_out(*fabric.cell, q) : q, Vec3::UnitZ());
   return sizes;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/image.hpp"
 #include "sim/spline.hpp"
 
 namespace wale {
@@ -24,6 +25,15 @@ Chords chords_of(const Fabric& fabric, const Points& q, int segment) {
   Chords points;
   for (std::size_t k = 0; k <= chords; ++k) points[k] = combine(q, fabric.first_point(segment), bases[k].value);
   return points;
+}
+
+void displace(const Fabric& fabric, const Points& q, const Eigen::Vector2i& steps, Chords& points) {
+  if (fabric.cell->curls == Curls::never) {
+    for (Vec3& point : points) point += q.rightCols<2>() * steps.cast<double>();
+    return;
+  }
+  const Image image(*fabric.cell, q.rightCols<2>(), steps);
+  for (Vec3& point : points) point = image(point);
 }
 
 double along(const Vec3& from, const Vec3& chord, const Vec3& point) {
@@ -62,8 +72,7 @@ double axis_distance(const Fabric& fabric, const Points& q, const Gap& gap) {
   if (follow_each_other(fabric, gap)) return gap.distance;
   const Chords a = chords_of(fabric, q, gap.a);
   Chords b = chords_of(fabric, q, gap.b);
-  if (!gap.image.isZero())
-    for (Vec3& point : b) point += q.rightCols<2>() * gap.image.cast<double>();
+  if (!gap.image.isZero()) displace(fabric, q, gap.image, b);
   double least = gap.distance;
   for (std::size_t i = 0; i < chords; ++i)
     for (std::size_t j = 0; j < chords; ++j)

@@ -60,7 +60,8 @@ bool Equilibrium::stays_apart(const State& from, const Points& move) {
   const int looks = 1 + static_cast<int>(std::ceil(uneven_motion(from.q, move) / (furthest_unseen * thickness_)));
   State between = from;
   for (int look = 1; look <= looks; ++look) {
-    between.q = from.q + move * (static_cast<double>(look) / looks);
+    between.q = from.q;
+    increment_.move(between, move * (static_cast<double>(look) / looks));
     increment_.prepare(between);
     if (!(clearance_at(between) >= enough)) return false;
   }
@@ -79,7 +80,7 @@ void Equilibrium::follow(State& state, const Points& move) {
   if (share == 0) return;
   for (double step = std::min(1.0, 1 / share); step > 0.01; step /= 2) {
     if (stays_apart(state, step * move)) {
-      state.q += step * move;
+      increment_.move(state, step * move);
       return;
     }
     increment_.prepare(state);
@@ -156,7 +157,7 @@ Equilibrium::Trial Equilibrium::attempt(const State& from, const Eigen::VectorXd
   Trial trial{from, std::numeric_limits<double>::infinity(), {}};
   const Points by = increment_.spread(move.reshaped(3, move.size() / 3));
   if (!stays_apart(from, by)) return trial;
-  trial.state.q += by;
+  increment_.move(trial.state, by);
   trial.energy = evaluate(trial.state, &trial.force, effort);
   return trial;
 }
@@ -197,7 +198,7 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
     }
     const Step step = downhill(now.force);
     if (!step.limited && furthest(step.move) < goal.move) {
-      state.q += increment_.spread(step.move.reshaped(3, step.move.size() / 3));
+      increment_.move(state, increment_.spread(step.move.reshaped(3, step.move.size() / 3)));
       return Answer::found;
     }
     Trial trial = attempt(now.state, step.move, effort);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/image.hpp"
 #include "sim/solvers/clearance.hpp"
 
 namespace wale {
@@ -21,6 +22,7 @@ Leeway::Leeway(const Fabric& fabric) : fabric_(fabric), thickness_(thinnest_diam
 
 void Leeway::update(const Points& q, const std::vector<Gap>& gaps) {
   near_.clear();
+  turned_.clear();
   ++version_;
   for (const Gap& gap : gaps) {
     // Beads that are near each other may have axes that are nearer.
@@ -28,12 +30,29 @@ void Leeway::update(const Points& q, const std::vector<Gap>& gaps) {
     near_.push_back({fabric_.first_point(gap.a), fabric_.first_point(gap.b), gap.image,
                      std::clamp(share_of_gap * apart, least_across * thickness_, across_yarns * thickness_),
                      gap.distance < gap.diameter});
+    if (!fabric_.cell || fabric_.cell->curls == Curls::never || gap.image.isZero()) continue;
+    near_.back().turned = static_cast<int>(turned_.size());
+    const Image image(*fabric_.cell, q.rightCols<2>(), gap.image);
+    const Vec3 centre = q.middleCols<4>(near_.back().b).rowwise().mean();
+    turned_.push_back({image.turn(), {image.by_period(centre, 0), image.by_period(centre, 1)}});
   }
+}
+
+/// How much further the middle of a is from that of b.
+Vec3 Leeway::apart(const Near& near, const Points& move) const {
+  const auto periods = fabric_.points.cols();
+  if (near.turned < 0) {
+    Vec3 apart = (move.middleCols<4>(near.a).rowwise().sum() - move.middleCols<4>(near.b).rowwise().sum()) / 4;
+    if (!near.image.isZero()) apart -= move.middleCols<2>(periods) * near.image.cast<double>();
+    return apart;
+  }
+  const Turned& image = turned_[static_cast<std::size_t>(near.turned)];
+  return move.middleCols<4>(near.a).rowwise().mean() - image.turn * move.middleCols<4>(near.b).rowwise().mean() -
+         image.by_period[0] * move.col(periods) - image.by_period[1] * move.col(periods + 1);
 }
 
 double Leeway::share(const Points& move) const {
   double most = 0;
-  const auto periods = fabric_.points.cols();
 #pragma omp parallel reduction(max : most)
   {
 #pragma omp for schedule(static) nowait
@@ -46,9 +65,7 @@ double Leeway::share(const Points& move) const {
 #pragma omp for schedule(static)
     for (std::size_t p = 0; p < near_.size(); ++p) {
       const Near& near = near_[p];
-      Vec3 apart = (move.middleCols<4>(near.a).rowwise().sum() - move.middleCols<4>(near.b).rowwise().sum()) / 4;
-      if (!near.image.isZero()) apart -= move.middleCols<2>(periods) * near.image.cast<double>();
-      most = std::max(most, apart.squaredNorm() / (near.allowed * near.allowed));
+      most = std::max(most, apart(near, move).squaredNorm() / (near.allowed * near.allowed));
     }
   }
   return std::sqrt(most);
@@ -64,7 +81,7 @@ void Leeway::each_block(const Add& add) const {
     }
   const int periods = static_cast<int>(fabric_.points.cols());
   for (const Near& near : near_) {
-    if (!near.touches) continue;
+    if (!near.touches || near.turned >= 0) continue;
     std::array<std::pair<int, double>, 10> terms;
     for (int k = 0; k < 4; ++k) {
       terms[static_cast<std::size_t>(k)] = {near.a + k, 0.25};
@@ -82,14 +99,44 @@ void Leeway::each_block(const Add& add) const {
   }
 }
 
+template <class Add>
+void Leeway::each_turned_block(const Add& add) const {
+  const int periods = static_cast<int>(fabric_.points.cols());
+  for (const Near& near : near_) {
+    if (!near.touches || near.turned < 0) continue;
+    const Turned& image = turned_[static_cast<std::size_t>(near.turned)];
+    std::array<std::pair<int, Mat3>, 10> terms;
+    for (int k = 0; k < 4; ++k) {
+      terms[static_cast<std::size_t>(k)] = {near.a + k, 0.25 * Mat3::Identity()};
+      terms[static_cast<std::size_t>(k + 4)] = {near.b + k, -0.25 * image.turn};
+    }
+    for (int period = 0; period < 2; ++period)
+      terms[static_cast<std::size_t>(8 + period)] = {periods + period,
+                                                     -image.by_period[static_cast<std::size_t>(period)]};
+    for (std::size_t m = 0; m < terms.size(); ++m)
+      for (std::size_t n = m; n < terms.size(); ++n) {
+        const int p = terms[m].first, q = terms[n].first;
+        const Mat3 block = terms[m].second.transpose() * terms[n].second;
+        if (p == q && m != n)
+          add(p, q, block + block.transpose());
+        else if (p <= q)
+          add(p, q, block);
+        else
+          add(q, p, block.transpose());
+      }
+  }
+}
+
 void Leeway::add_to(Stiffness& K, double weight) const {
   const Mat3 block = weight * Mat3::Identity();
   for (int i = 0; i < K.points(); ++i) K.add(i, i, shared_motion * block);
   const std::vector<int>& places = K.places(this, version_, [&](std::vector<int>& slots) {
     each_block([&](int i, int j, double) { slots.push_back(K.slot(i, j)); });
+    each_turned_block([&](int i, int j, const Mat3&) { slots.push_back(K.slot(i, j)); });
   });
   auto place = places.begin();
   each_block([&](int, int, double factor) { K.add_at(*place++, factor * block); });
+  each_turned_block([&](int, int, const Mat3& of) { K.add_at(*place++, weight * of); });
 }
 
 }  // namespace wale

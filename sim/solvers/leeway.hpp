@@ -1,6 +1,7 @@
 /// How far neighbouring pieces of yarn may move against each other in one step of an iteration.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "sim/effect.hpp"
@@ -29,14 +30,25 @@ class Leeway {
     Eigen::Vector2i image;
     double allowed = 0;  // m
     bool touches = false;
+    int turned = -1;  // of turned_, if b is an image that turns
   };
+  /// How an image that turns moves with the mean of its control points and with the periods.
+  struct Turned {
+    Mat3 turn;
+    std::array<Mat3, 2> by_period;
+  };
+  Vec3 apart(const Near&, const Points& move) const;
   /// Calls add(i, j, factor) for every block between neighbours that add_to() adds to, i <= j.
   template <class Add>
   void each_block(const Add& add) const;
+  /// The same with images that turn, and with the blocks.
+  template <class Add>
+  void each_turned_block(const Add& add) const;
 
   const Fabric& fabric_;
   double thickness_ = 0;  // of the thinnest yarn, m
   std::vector<Near> near_;
+  std::vector<Turned> turned_;
   long version_ = 0;  // of near_
 };
 

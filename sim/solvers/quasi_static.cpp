@@ -85,7 +85,8 @@ class QuasiStaticSolver final : public Solver {
     State next = state_;
     next.t = target;
     if (load_changes) equilibrium_.follow(next, (target - state_.t) * state_.v);
-    if (world_.fabric().cell) world_.guide().lead(next);
+    if (const auto& cell = world_.fabric().cell) world_.guide().lead(*cell, next);
+    world_.settle(next);
     return next;
   }
 

@@ -34,7 +34,7 @@ bool same_fabric(const Fabric& a, const Fabric& b) {
   constexpr double tolerance = 1e-9;  // m
   if (a.materials != b.materials || a.yarns.size() != b.yarns.size() || a.segments.size() != b.segments.size())
     return false;
-  if (a.cell.has_value() != b.cell.has_value()) return false;
+  if (a.cell.has_value() != b.cell.has_value() || (a.cell && a.cell->curls != b.cell->curls)) return false;
   const Points p = at_rest(a).q, q = at_rest(b).q;
   return p.cols() == q.cols() && (p - q).norm() < tolerance;
 }

@@ -18,14 +18,16 @@ namespace {
 constexpr double shrinkage = 0.66;
 
 /// A repeat whose control points and periods are moved a little out of every symmetry; its wale period leads to the
-/// repeat `lean` places to the right of the one above, which is as good a description of the same fabric.
+/// repeat `lean` places to the right of the one above, which is as good a description of the same fabric. With a
+/// curvature, 1/m, it is bent about its courses.
 struct Cell {
   Fabric fabric;
   Ties ties;
   Points free;  ///< the columns that move by themselves, the two periods last
 
-  explicit Cell(const std::vector<std::string>& picture, int lean = 0)
+  explicit Cell(const std::vector<std::string>& picture, int lean = 0, double curvature = 0)
       : fabric(compile_repeat(picture, 9).fabric), ties(fabric) {
+    if (curvature != 0) fabric.cell->curls = Curls::about_courses;
     const Points q = shrinkage * points_and_periods(fabric);
     free.resize(3, ties.free_columns());
     // From behind, so that what follows a column is overwritten by it.
@@ -33,6 +35,9 @@ struct Cell {
       free.col(ties.free_column(ties.columns() - 1 - i)) = q.col(ties.columns() - 1 - i);
     shake(free, 0.02e-3, 3);
     free.rightCols<1>() += lean * free.rightCols<2>().col(0);
+    if (curvature == 0) return;
+    free.row(2).tail<2>() = Eigen::RowVector2d(0, curvature * curl_unit(*fabric.cell));
+    for (int i = 0; i + 2 < ties.free_columns(); ++i) free.col(i) = rolled_up(free.col(i), curvature);
   }
   Points q() const { return ties.spread(free); }
 };
@@ -122,6 +127,57 @@ TEST(PeriodicCell, HasTheSlopesOfItsEnergyByAllThatMayMove) {
     }
 }
 
+/// The force on the repeat as well, which is not of the periods alone: they turn its images.
+TEST(PeriodicCell, HasTheSlopesOfItsEnergyWhenItIsBent) {
+  const OneThread one;
+  for (const auto& picture : repeats)
+    for (const double curvature : {1e-3, 150.0, -150.0}) {
+      SCOPED_TRACE(picture[0] + " " + std::to_string(curvature));
+      const Cell cell(picture, 1, curvature);
+      const Points still = Points::Zero(3, cell.free.cols());
+      Alone alone(cell, Contact{});
+      const Eigen::VectorXd force = alone.force(cell.free, still).reshaped();
+      const Eigen::MatrixXd by_energy = slope_of(
+          [&](const Points& x) { return Eigen::VectorXd::Constant(1, alone.potential(x, still)); }, cell.free, 1e-8);
+      EXPECT_LT(largest(by_energy.transpose() + force), 1e-6 * largest(force));
+      EXPECT_GT(std::abs(force[force.size() - 1]), 1e-3 * largest(force)) << "nothing depends on the curvature";
+      const Eigen::MatrixXd stiffness = alone.second(cell.free, still, true);
+      const Eigen::MatrixXd by_force = slope_of(
+          [&](const Points& x) -> Eigen::VectorXd { return alone.force(x, still).reshaped(); }, cell.free, 1e-8);
+      EXPECT_LT(largest(by_force + stiffness), 1e-5 * largest(stiffness));
+    }
+}
+
+TEST(PeriodicCell, RubsAsItBends) {
+  const OneThread one;
+  for (const auto& picture : repeats) {
+    const Cell cell(picture, 1, 150.0);
+    Points velocity = Points::Zero(3, cell.free.cols());
+    shake(velocity, 0.1, 8);
+    Alone alone(cell, Friction{.threshold = 1});
+    const Eigen::VectorXd force = alone.force(cell.free, velocity).reshaped();
+    const Eigen::MatrixXd by_loss = slope_of(
+        [&](const Points& v) { return Eigen::VectorXd::Constant(1, alone.potential(cell.free, v)); }, velocity, 1e-5);
+    EXPECT_LT(largest(by_loss.transpose() + force), 1e-6 * largest(force));
+    const Eigen::MatrixXd damping = alone.second(cell.free, velocity, false);
+    const Eigen::MatrixXd by_force = slope_of(
+        [&](const Points& v) -> Eigen::VectorXd { return alone.force(cell.free, v).reshaped(); }, velocity, 1e-5);
+    EXPECT_LT(largest(by_force + damping), 1e-5 * largest(damping));
+    EXPECT_GT(largest(damping.rightCols(1)), 0) << "nothing depends on how it bends";
+  }
+}
+
+/// A fabric that turns about its axis rubs nowhere: its images turn as it does.
+TEST(PeriodicCell, RubsNotAsItTurnsAboutItsAxis) {
+  const double curvature = 150;
+  const Cell cell({"kp", "pk"}, 1, curvature);
+  Points velocity = Points::Zero(3, cell.free.cols());
+  for (int i = 0; i + 2 < cell.ties.free_columns(); ++i)
+    velocity.col(i) = Vec3::UnitX().cross(Vec3(cell.free.col(i)) - Vec3(0, 0, 1 / curvature));
+  Alone alone(cell, Friction{.threshold = 1});
+  EXPECT_LT(largest(alone.force(cell.free, velocity)), 1e-12 * largest(alone.force(cell.free, cell.free)));
+}
+
 TEST(PeriodicCell, RubsAsItsPeriodsMove) {
   const OneThread one;
   for (const auto& picture : repeats)
@@ -166,6 +222,28 @@ Told told(const Cell& cell, const Points& free) {
 void expect_same(const Told& a, const Told& b) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.energies[i], b.energies[i], 1e-11 * b.energies[i]);
   EXPECT_LT(largest(a.force - b.force), 1e-10 * largest(b.force));
+}
+
+/// Turned about its axis, and with a course that is said to be a repeat further around.
+TEST(PeriodicCell, IsTheSameWhereverItLiesAroundItsAxis) {
+  const double curvature = 150;
+  const Cell cell({"kp", "pk"}, 0, curvature);
+  const Eigen::Index periods = cell.free.cols() - 2;
+  const Told before = told(cell, cell.free);
+  const Image around(*cell.fabric.cell, cell.free.rightCols<2>(), {0, 1});
+  Points turned = cell.free, further = cell.free;
+  for (Eigen::Index i = 0; i < periods; ++i) turned.col(i) = around(cell.free.col(i));
+  const Yarn& yarn = cell.fabric.yarns[1];
+  const int first = cell.ties.free_column(yarn.first_point);
+  further.middleCols(first, yarn.segments) = turned.middleCols(first, yarn.segments);
+  for (const Points& moved : {turned, further}) {
+    const Told now = told(cell, moved);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(now.energies[i], before.energies[i], 1e-11 * before.energies[i]);
+    const Points &there = now.force, &here = before.force;
+    EXPECT_LT(largest(there.middleCols(first, yarn.segments) - around.turn() * here.middleCols(first, yarn.segments)),
+              1e-10 * largest(here));
+    EXPECT_NEAR(there(0, periods), here(0, periods), 1e-10 * largest(here));
+  }
 }
 
 TEST(PeriodicCell, IsTheSameWhereverItLies) {

@@ -24,6 +24,7 @@ struct CellRun {
   int segments_per_stitch = 12;
   double friction = 0;      ///< coefficient; 0: none
   double tolerance = 1e-3;  ///< of QuasiStatic
+  Curls curls = Curls::never;
 };
 
 /// Tightens and relaxes a repeat, then does `last` to it. Throws std::runtime_error with the reason if that fails.
@@ -32,6 +33,7 @@ inline Results run_cell(const CellRun& of, Stage last) {
   Results results;
   Scene& scene = results.scene;
   scene.fabric = std::move(made.fabric);
+  scene.fabric.cell->curls = of.curls;
   scene.gauge = std::move(made.gauge);
   scene.crossings = std::move(made.crossings);
   Stage tighten, relax;
