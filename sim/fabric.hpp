@@ -64,11 +64,13 @@ struct Yarn {
 /// long as its curvature is 0. See Image.
 enum class Curls : std::uint8_t {
   never,
-  about_courses  ///< the axis lies along x: each course is straight, and the wales are bent
+  about_courses,  ///< the axis lies along x: each course is straight, and the wales are bent
+  about_wales     ///< the axis lies along y: each wale is straight, and the courses are bent
 };
 
 /// One repeat of a fabric without end: everything in it comes again after each period. Every yarn goes on by the course
-/// period, so that its last three control points are its first three, one course period on. tile() lays several repeats
+/// period, so that its last three control points are its first three, one course period on (around the axis, if it
+/// curls about its wales). tile() lays several repeats
 /// side by side; Scene::crossings of such a fabric are segments of a tile.
 struct PeriodicCell {
   Vec3 course = Vec3::Zero();  ///< from a stitch to the same one a repeat to its right, m

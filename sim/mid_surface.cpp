@@ -10,16 +10,18 @@ constexpr double no_height = 1e-17;  // m
 
 /// Of one place: h = (1 - ρ) / κ with its distance ρ / κ from the axis, and its slopes.
 struct Height {
-  Height(const Vec3& place, double curvature) {
-    const double y = place.y(), z = place.z(), from_axis = std::hypot(1 - curvature * z, curvature * y);
+  Height(const Vec3& place, const Cylinder& on) {
+    const double curvature = on.curvature, y = place[on.around], z = place.z(),
+                 from_axis = std::hypot(1 - curvature * z, curvature * y);
     const double squared = y * y + z * z, rise = 2 * z - curvature * squared;
     value = rise / (1 + from_axis);
-    by_place = Vec3(0, -curvature * y, 1 - curvature * z) / from_axis;
+    by_place[on.around] = -curvature * y / from_axis;
+    by_place.z() = (1 - curvature * z) / from_axis;
     const double from_axis_by_curvature = (curvature * squared - z) / from_axis;
     by_curvature = -(squared * (1 + from_axis) + rise * from_axis_by_curvature) / std::pow(1 + from_axis, 2);
   }
-  double value = 0;         // m
-  Vec3 by_place;            // 1
+  double value = 0;  // m
+  Vec3 by_place = Vec3::Zero();
   double by_curvature = 0;  // m²
 };
 
@@ -31,17 +33,17 @@ MidSurface::MidSurface(const PeriodicCell& cell, Eigen::VectorXd weights) : cell
 }
 
 double MidSurface::height(const Points& q) const {
-  const double bent = curvature(cell_, q.rightCols<2>());
+  const Cylinder on = cylinder(cell_, q.rightCols<2>());
   double mean = 0;
-  for (Eigen::Index k = 0; k + 2 < q.cols(); ++k) mean += weights_[k] * Height(q.col(k), bent).value;
+  for (Eigen::Index k = 0; k + 2 < q.cols(); ++k) mean += weights_[k] * Height(q.col(k), on).value;
   return mean;
 }
 
 Points MidSurface::slope(const Points& q) const {
-  const double bent = curvature(cell_, q.rightCols<2>());
+  const Cylinder on = cylinder(cell_, q.rightCols<2>());
   Points by = Points::Zero(3, q.cols());
   for (Eigen::Index k = 0; k + 2 < q.cols(); ++k) {
-    const Height at(q.col(k), bent);
+    const Height at(q.col(k), on);
     by.col(k) = weights_[k] * at.by_place;
     by(2, q.cols() - 1) += weights_[k] * at.by_curvature / curl_unit(cell_);
   }

@@ -9,7 +9,8 @@ namespace wale {
 /// the same fabric has a longer wale period and less curvature, so that these say something only while it is 0.
 class MidSurface {
  public:
-  /// `weights`: how much each column of State::q counts; those of the periods do not.
+  /// `weights`: how much each column of State::q counts; those of the periods do not, nor should those that follow
+  /// others.
   MidSurface(const PeriodicCell&, Eigen::VectorXd weights);
 
   /// m, of the columns of State::q.

@@ -7,14 +7,13 @@
 namespace wale {
 
 void PeriodGuide::lead(const PeriodicCell& cell, State& state) const {
-  const bool curls = cell.curls != Curls::never;
-  const double before = curls ? curvature(cell, state.q.rightCols<2>()) : 0;
-  if (before != 0) state.q = rolled_out(cell, state.q);
+  Cylinder on = cell.curls == Curls::never ? Cylinder{} : cylinder(cell, state.q.rightCols<2>());
+  if (on.curvature != 0) state.q = rolled_out(cell, state.q);
   stretch(state);
-  const double after = curl.how == How::led ? curl.length(state.t) : before;
-  if (after == 0) return;
-  for (Eigen::Index k = 0; k + 2 < state.q.cols(); ++k) state.q.col(k) = rolled_up(state.q.col(k), after);
-  state.q(2, state.q.cols() - 1) = after * curl_unit(cell);
+  if (curl.how == How::led) on.curvature = curl.length(state.t);
+  if (on.curvature == 0) return;
+  for (Eigen::Index k = 0; k + 2 < state.q.cols(); ++k) state.q.col(k) = rolled_up(state.q.col(k), on);
+  state.q(2, state.q.cols() - 1) = on.curvature * curl_unit(cell);
 }
 
 /// Of a flat fabric.

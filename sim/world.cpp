@@ -25,8 +25,10 @@ World::World(const Fabric& fabric, std::vector<EffectSpec> effects, RestSchedule
       mass_(fabric),
       constraints_(fabric, clamps, start_.q) {
   if (fabric.cell && fabric.cell->curls != Curls::never) {
-    const Points weights = mass_.times(Points::Ones(3, start_.q.cols()));
-    mid_surface_.emplace(*fabric.cell, weights.row(0).transpose());
+    const Points masses = mass_.times(Points::Ones(3, start_.q.cols()));
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(masses.cols());
+    for (int i = 0; i < masses.cols(); ++i) weights[ties_.leader(i)] += masses(0, i);
+    mid_surface_.emplace(*fabric.cell, std::move(weights));
   }
   for (const EffectSpec& spec : effects)
     add(std::visit([this](const auto& effect) { return make(effect, parts_); }, spec));
@@ -37,7 +39,9 @@ void World::add(std::unique_ptr<Effect> effect) { effects_.push_back(std::move(e
 void World::prepare(const State& state, Acting which) {
   for (auto& effect : effects_)
     if (is_meant(*effect, which)) effect->prepare(state);
-  if (mid_surface_ && which != Acting::dissipative) hold_mid_surface(state.q);
+  if (!mid_surface_ || which == Acting::dissipative) return;
+  ties_.look_at(state.q);
+  hold_mid_surface(state.q);
 }
 
 void World::hold_mid_surface(const Points& q) {

@@ -65,14 +65,17 @@ class World {
   }
 
   const Fabric& fabric() const { return fabric_; }
+  /// Those of a fabric that curls are as they were at the last prepare() of what is elastic.
   const Ties& ties() const { return ties_; }
   const PeriodGuide& guide() const { return guide_; }
   const Mass& mass() const { return mass_; }
   /// Those of a fabric that curls hold its mid-surface, as it was at the last prepare() of what is elastic.
   const Constraints& constraints() const { return constraints_; }
-  /// Brings a state of a fabric that curls, after it has moved, back to where its mid-surface is held.
+  /// Brings a state of a fabric that curls, after it has moved, back to where its mid-surface is held, and what follows
+  /// along.
   void settle(State& state) const {
     if (mid_surface_) mid_surface_->settle(state.q);
+    ties_.follow(state.q);
   }
   const std::vector<std::unique_ptr<Effect>>& effects() const { return effects_; }
   const Parts& parts() const { return parts_; }

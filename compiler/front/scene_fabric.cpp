@@ -85,7 +85,7 @@ class FabricReader {
   }
 
   void read_curl(const YamlNode& node) {
-    const auto word = read_word(node, "\"curl\"", {"never", "about_courses"}, say_);
+    const auto word = read_word(node, "\"curl\"", {"never", "about_courses", "about_wales"}, say_);
     scene_.curls = static_cast<Curls>(word.value_or(0));
     if (scene_.curls != Curls::never && !scene_.overrides.periodic)
       say_.error("S010", node.span, "\"curl\" is for periodic fabrics, and this is a swatch",

@@ -13,9 +13,10 @@
 namespace wale {
 namespace {
 
-// Of a fabric that curls: how much less than the mid-surface a course may measure on the side of the axis, and how far
+// Of a fabric that curls: how much less than the mid-surface yarn may measure on the side of the axis, and how far
 // around images may be, as the fabric does not meet itself behind the axis.
 constexpr double least_shortening = 0.2, half_turn = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Ranges of segments: enough for many threads, but not so short that most contacts reach out of them.
 std::vector<int> even_boundaries(int segments) {
@@ -218,24 +219,29 @@ double Beads::nearer_by_turns(const Points& q) const {
 void Beads::find_images(const Points& q) {
   listed_periods_ = q.rightCols<2>();
   const Vec3 course = listed_periods_.col(0), wale = listed_periods_.col(1);
-  const double bent = curls() ? curvature(*fabric_.cell, listed_periods_) : 0;
+  const Cylinder on = curls() ? cylinder(*fabric_.cell, listed_periods_) : Cylinder{};
+  const double middle = curls() ? middle_angle(q.leftCols(q.cols() - 2), on) : 0;
   listed_box_.setEmpty();
   Eigen::AlignedBox3d flat;
   for (int i = 0; i < fabric_.segment_count(); ++i)
     for (int k = 0; k < count(i); ++k) {
       listed_box_.extend(position(i, k));
-      flat.extend(rolled_out(position(i, k), bent));
+      flat.extend(rolled_out(position(i, k), on, middle));
     }
   // Towards the axis a way is shorter than along the mid-surface.
-  const double shorter = std::max(least_shortening, 1 - std::max(bent * flat.max().z(), bent * flat.min().z()));
+  const double nearest = std::max(on.curvature * flat.max().z(), on.curvature * flat.min().z());
+  Vec3 longer = Vec3::Ones();
+  longer[on.around] = 1 / std::max(least_shortening, 1 - nearest);
   listed_box_.min().array() -= skin_;
   listed_box_.max().array() += skin_;
-  const Vec3 span = flat.sizes() + Vec3(1, 1 / shorter, 1) * (reach_ + skin_);
+  const Vec3 span = flat.sizes() + longer * (reach_ + skin_);
+  const double once_around = on.curvature == 0 ? infinity : half_turn / std::abs(on.curvature);
   images_.assign(1, Eigen::Vector2i::Zero());
-  for (int up = 0; up * std::abs(wale.y()) < span.y() && up * std::abs(wale.y() * bent) < half_turn; ++up) {
+  for (int up = 0; up * std::abs(wale.y()) < span.y(); ++up) {
     const double off = up * wale.x() / course.x(), most = span.x() / std::abs(course.x());
     for (int across = static_cast<int>(std::ceil(-most - off)); across <= most - off; ++across)
-      if (up > 0 || across > 0) images_.emplace_back(across, up);
+      if ((up > 0 || across > 0) && std::abs((across * course + up * wale)[on.around]) < once_around)
+        images_.emplace_back(across, up);
   }
   place_images(q);
 }

@@ -86,6 +86,7 @@ void Increment::second(const State& at, const Leeway& leeway, double shift, Stif
   damping_.fit();
   if (!periodic) return;
   gather(exact_, exact);
+  add_turning(at, exact);
   if (convex) gather(convex_, *convex);
 }
 
@@ -97,9 +98,25 @@ Points Increment::impulse(const Points& a, const Points& b) const {
   return sum + drag.reshaped(3, a.cols()) / time_;
 }
 
+/// Columns that follow others around an axis are pushed otherwise as the periods turn them.
+void Increment::add_turning(const State& at, Stiffness& exact) {
+  const Ties& ties = world_.ties();
+  if (!ties.turn()) return;
+  Points force;
+  Load load{.force = &force};
+  world_.evaluate(at, load, Acting::elastic);
+  if (dissipates_) world_.add_to(load, moving(at), Acting::dissipative);
+  ties.add_turning(force, exact);
+  hold_periods(exact);
+}
+
 /// By what may move; a period that may not is left with a stiffness of its own.
 void Increment::gather(Stiffness& by_all, Stiffness& by_free) const {
   world_.ties().gather(by_all, by_free);
+  hold_periods(by_free);
+}
+
+void Increment::hold_periods(Stiffness& by_free) const {
   const auto mobility = world_.guide().mobility();
   for (int period = 0; period < 2; ++period)
     for (int axis = 0; axis < 3; ++axis)

@@ -52,6 +52,8 @@ class Increment {
  private:
   State moving(const State& at) const;
   void gather(Stiffness& by_all, Stiffness& by_free) const;
+  void add_turning(const State& at, Stiffness& exact);
+  void hold_periods(Stiffness& by_free) const;
 
   World& world_;
   bool dissipates_;

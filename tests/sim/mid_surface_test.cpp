@@ -17,7 +17,7 @@ Points with(double curvature, double height) {
   q << 0, 1, 2, 3, 3, 0, /**/ -1, 0.3, 0.5, 1.5, 0, 2, /**/ 0.3, -0.6, 0.1, 0.6, 0, 0;
   q *= 1e-3;
   q.row(2).head(4).array() += height;
-  for (int k = 0; k < 4; ++k) q.col(k) = rolled_up(q.col(k), curvature);
+  for (int k = 0; k < 4; ++k) q.col(k) = rolled_up(q.col(k), {curvature, 1});
   q(2, 5) = curvature * curl_unit(cell);
   return q;
 }

@@ -19,15 +19,14 @@ constexpr double shrinkage = 0.66;
 
 /// A repeat whose control points and periods are moved a little out of every symmetry; its wale period leads to the
 /// repeat `lean` places to the right of the one above, which is as good a description of the same fabric. With a
-/// curvature, 1/m, it is bent about its courses.
+/// curvature, 1/m, it is bent.
 struct Cell {
   Fabric fabric;
   Ties ties;
   Points free;  ///< the columns that move by themselves, the two periods last
 
-  explicit Cell(const std::vector<std::string>& picture, int lean = 0, double curvature = 0)
-      : fabric(compile_repeat(picture, 9).fabric), ties(fabric) {
-    if (curvature != 0) fabric.cell->curls = Curls::about_courses;
+  explicit Cell(const std::vector<std::string>& picture, int lean = 0, Curls curls = Curls::never, double curvature = 0)
+      : fabric(repeat(picture, curls)), ties(fabric) {
     const Points q = shrinkage * points_and_periods(fabric);
     free.resize(3, ties.free_columns());
     // From behind, so that what follows a column is overwritten by it.
@@ -35,11 +34,25 @@ struct Cell {
       free.col(ties.free_column(ties.columns() - 1 - i)) = q.col(ties.columns() - 1 - i);
     shake(free, 0.02e-3, 3);
     free.rightCols<1>() += lean * free.rightCols<2>().col(0);
-    if (curvature == 0) return;
+    if (curls == Curls::never) return;
     free.row(2).tail<2>() = Eigen::RowVector2d(0, curvature * curl_unit(*fabric.cell));
-    for (int i = 0; i + 2 < ties.free_columns(); ++i) free.col(i) = rolled_up(free.col(i), curvature);
+    for (int i = 0; i + 2 < ties.free_columns(); ++i)
+      free.col(i) = rolled_up(free.col(i), cylinder(*fabric.cell, free.rightCols<2>()));
   }
-  Points q() const { return ties.spread(free); }
+  Points q() const { return q(free); }
+  /// All columns, where the free ones are.
+  Points q(const Points& free_ones) const {
+    Points all = ties.spread(free_ones);
+    ties.follow(all);
+    return all;
+  }
+
+ private:
+  static Fabric repeat(const std::vector<std::string>& picture, Curls curls) {
+    Fabric fabric = compile_repeat(picture, 9).fabric;
+    fabric.cell->curls = curls;
+    return fabric;
+  }
 };
 
 State state_of(const Points& q, const Points& v) { return {.t = 0, .q = q, .v = v, .step = 0}; }
@@ -58,21 +71,25 @@ class Alone {
   Points force(const Points& free, const Points& velocity) {
     Points force;
     evaluate(free, velocity, {.force = &force});
-    return cell_.ties.gather(force);
+    return world_.ties().gather(force);
   }
   Eigen::MatrixXd second(const Points& free, const Points& velocity, bool elastic) {
     Stiffness by_all(cell_.ties.columns()), by_free(cell_.ties.free_columns());
-    Load load;
+    Points force;
+    Load load{.force = &force};
     (elastic ? load.stiffness : load.damping) = &by_all;
     evaluate(free, velocity, load);
-    cell_.ties.gather(by_all, by_free);
+    world_.ties().gather(by_all, by_free);
+    if (elastic) world_.ties().add_turning(force, by_free);
     return dense(by_free);
   }
 
  private:
   void evaluate(const Points& free, const Points& velocity, Load load) {
-    const State at = state_of(cell_.ties.spread(free), cell_.ties.spread(velocity));
+    const Points q = cell_.q(free);
+    State at = state_of(q, Points::Zero(3, q.cols()));
     world_.prepare(at);
+    at.v = world_.ties().spread(velocity);
     world_.evaluate(at, load);
   }
   const Cell& cell_;
@@ -127,55 +144,66 @@ TEST(PeriodicCell, HasTheSlopesOfItsEnergyByAllThatMayMove) {
     }
 }
 
-/// The force on the repeat as well, which is not of the periods alone: they turn its images.
+const std::vector<Curls> both_ways{Curls::about_courses, Curls::about_wales};
+
 TEST(PeriodicCell, HasTheSlopesOfItsEnergyWhenItIsBent) {
   const OneThread one;
   for (const auto& picture : repeats)
-    for (const double curvature : {1e-3, 150.0, -150.0}) {
-      SCOPED_TRACE(picture[0] + " " + std::to_string(curvature));
-      const Cell cell(picture, 1, curvature);
-      const Points still = Points::Zero(3, cell.free.cols());
-      Alone alone(cell, Contact{});
-      const Eigen::VectorXd force = alone.force(cell.free, still).reshaped();
-      const Eigen::MatrixXd by_energy = slope_of(
-          [&](const Points& x) { return Eigen::VectorXd::Constant(1, alone.potential(x, still)); }, cell.free, 1e-8);
-      EXPECT_LT(largest(by_energy.transpose() + force), 1e-6 * largest(force));
-      EXPECT_GT(std::abs(force[force.size() - 1]), 1e-3 * largest(force)) << "nothing depends on the curvature";
-      const Eigen::MatrixXd stiffness = alone.second(cell.free, still, true);
-      const Eigen::MatrixXd by_force = slope_of(
-          [&](const Points& x) -> Eigen::VectorXd { return alone.force(x, still).reshaped(); }, cell.free, 1e-8);
-      EXPECT_LT(largest(by_force + stiffness), 1e-5 * largest(stiffness));
-    }
+    for (const Curls curls : both_ways)
+      for (const double curvature : {1e-3, 150.0, -150.0})
+        for (const EffectSpec& spec : std::vector<EffectSpec>{Stretch{}, Bend{}, Contact{}}) {
+          SCOPED_TRACE(picture[0] + " " + std::to_string(curvature) + " " + std::to_string(spec.index()) + " " +
+                       std::to_string(static_cast<int>(curls)));
+          const Cell cell(picture, 1, curls, curvature);
+          const Points still = Points::Zero(3, cell.free.cols());
+          Alone alone(cell, spec);
+          const Eigen::VectorXd force = alone.force(cell.free, still).reshaped();
+          const Eigen::MatrixXd by_energy =
+              slope_of([&](const Points& x) { return Eigen::VectorXd::Constant(1, alone.potential(x, still)); },
+                       cell.free, 1e-8);
+          EXPECT_LT(largest(by_energy.transpose() + force), 1e-6 * largest(force));
+          if (std::holds_alternative<Contact>(spec))
+            EXPECT_GT(std::abs(force[force.size() - 1]), 1e-3 * largest(force)) << "nothing depends on the curvature";
+          const Eigen::MatrixXd stiffness = alone.second(cell.free, still, true);
+          const Eigen::MatrixXd by_force = slope_of(
+              [&](const Points& x) -> Eigen::VectorXd { return alone.force(x, still).reshaped(); }, cell.free, 1e-8);
+          EXPECT_LT(largest(by_force + stiffness), 1e-5 * largest(stiffness));
+        }
 }
 
 TEST(PeriodicCell, RubsAsItBends) {
   const OneThread one;
-  for (const auto& picture : repeats) {
-    const Cell cell(picture, 1, 150.0);
-    Points velocity = Points::Zero(3, cell.free.cols());
-    shake(velocity, 0.1, 8);
-    Alone alone(cell, Friction{.threshold = 1});
-    const Eigen::VectorXd force = alone.force(cell.free, velocity).reshaped();
-    const Eigen::MatrixXd by_loss = slope_of(
-        [&](const Points& v) { return Eigen::VectorXd::Constant(1, alone.potential(cell.free, v)); }, velocity, 1e-5);
-    EXPECT_LT(largest(by_loss.transpose() + force), 1e-6 * largest(force));
-    const Eigen::MatrixXd damping = alone.second(cell.free, velocity, false);
-    const Eigen::MatrixXd by_force = slope_of(
-        [&](const Points& v) -> Eigen::VectorXd { return alone.force(cell.free, v).reshaped(); }, velocity, 1e-5);
-    EXPECT_LT(largest(by_force + damping), 1e-5 * largest(damping));
-    EXPECT_GT(largest(damping.rightCols(1)), 0) << "nothing depends on how it bends";
-  }
+  for (const auto& picture : repeats)
+    for (const Curls curls : both_ways) {
+      const Cell cell(picture, 1, curls, 150);
+      Points velocity = Points::Zero(3, cell.free.cols());
+      shake(velocity, 0.1, 8);
+      Alone alone(cell, Friction{.threshold = 1});
+      const Eigen::VectorXd force = alone.force(cell.free, velocity).reshaped();
+      const Eigen::MatrixXd by_loss = slope_of(
+          [&](const Points& v) { return Eigen::VectorXd::Constant(1, alone.potential(cell.free, v)); }, velocity, 1e-5);
+      EXPECT_LT(largest(by_loss.transpose() + force), 1e-6 * largest(force));
+      const Eigen::MatrixXd damping = alone.second(cell.free, velocity, false);
+      const Eigen::MatrixXd by_force = slope_of(
+          [&](const Points& v) -> Eigen::VectorXd { return alone.force(cell.free, v).reshaped(); }, velocity, 1e-5);
+      EXPECT_LT(largest(by_force + damping), 1e-5 * largest(damping));
+      EXPECT_GT(largest(damping.rightCols(1)), 0) << "nothing depends on how it bends";
+    }
 }
 
 /// A fabric that turns about its axis rubs nowhere: its images turn as it does.
 TEST(PeriodicCell, RubsNotAsItTurnsAboutItsAxis) {
-  const double curvature = 150;
-  const Cell cell({"kp", "pk"}, 1, curvature);
-  Points velocity = Points::Zero(3, cell.free.cols());
-  for (int i = 0; i + 2 < cell.ties.free_columns(); ++i)
-    velocity.col(i) = Vec3::UnitX().cross(Vec3(cell.free.col(i)) - Vec3(0, 0, 1 / curvature));
-  Alone alone(cell, Friction{.threshold = 1});
-  EXPECT_LT(largest(alone.force(cell.free, velocity)), 1e-12 * largest(alone.force(cell.free, cell.free)));
+  for (const Curls curls : both_ways) {
+    const double curvature = 150;
+    const Cell cell({"kp", "pk"}, 1, curls, curvature);
+    const Vec3 axis = curls == Curls::about_courses ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY());
+    Points velocity = Points::Zero(3, cell.free.cols()), sliding = velocity;
+    for (int i = 0; i + 2 < cell.ties.free_columns(); ++i)
+      velocity.col(i) = axis.cross(Vec3(cell.free.col(i)) - Vec3(0, 0, 1 / curvature));
+    shake(sliding, 1e-3, 8);
+    Alone alone(cell, Friction{.threshold = 1});
+    EXPECT_LT(largest(alone.force(cell.free, velocity)), 1e-10 * largest(alone.force(cell.free, sliding)));
+  }
 }
 
 TEST(PeriodicCell, RubsAsItsPeriodsMove) {
@@ -205,7 +233,7 @@ struct Told {
 };
 
 Told told(const Cell& cell, const Points& free) {
-  const Points q = cell.ties.spread(free);
+  const Points q = cell.q(free);
   const State at = state_of(q, Points::Zero(3, q.cols()));
   World world(cell.fabric, {Stretch{}, Bend{}, Contact{}}, Schedule(1.0), at);
   world.prepare(at);
@@ -215,7 +243,7 @@ Told told(const Cell& cell, const Points& free) {
     Load load{.energy = &all.energies[i], .force = &force};
     world.effects()[i]->add(at, load);
   }
-  all.force = cell.ties.gather(force);
+  all.force = world.ties().gather(force);
   return all;
 }
 
@@ -227,7 +255,7 @@ void expect_same(const Told& a, const Told& b) {
 /// Turned about its axis, and with a course that is said to be a repeat further around.
 TEST(PeriodicCell, IsTheSameWhereverItLiesAroundItsAxis) {
   const double curvature = 150;
-  const Cell cell({"kp", "pk"}, 0, curvature);
+  const Cell cell({"kp", "pk"}, 0, Curls::about_courses, curvature);
   const Eigen::Index periods = cell.free.cols() - 2;
   const Told before = told(cell, cell.free);
   const Image around(*cell.fabric.cell, cell.free.rightCols<2>(), {0, 1});
