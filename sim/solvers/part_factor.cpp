@@ -5,8 +5,8 @@
 namespace wale {
 
 PartFactor::PartFactor(const Stiffness& K, const UsedBlocks& used, const std::vector<int>& part,
-                       const std::vector<int>& border)
-    : supernodes_(K, used, part, border), panels_(supernodes_) {}
+                       const std::vector<int>& border, Precision precision)
+    : supernodes_(K, used, part, border), panels_(supernodes_, precision) {}
 
 double PartFactor::factor_work() const {
   double work = 0;

@@ -10,7 +10,8 @@ namespace wale {
 class PartFactor {
  public:
   /// Symbolic. Throws std::bad_alloc.
-  PartFactor(const Stiffness& K, const UsedBlocks& used, const std::vector<int>& part, const std::vector<int>& border);
+  PartFactor(const Stiffness& K, const UsedBlocks& used, const std::vector<int>& part, const std::vector<int>& border,
+             Precision precision);
   PartFactor(const PartFactor&) = delete;
   PartFactor& operator=(const PartFactor&) = delete;
 
