@@ -27,7 +27,7 @@ void Stiffness::clear() {
 void Stiffness::fit() {
   const std::size_t slots = pattern_->slots;
   if (values_.size() == slots) return;
-  if (values_.capacity() < slots) values_.reserve(slots + slots / spare);
+  if (values_.capacity() < slots) values_.reserve(values_.empty() ? slots : slots + slots / spare);
   values_.resize(slots, Mat3::Zero());
 }
 

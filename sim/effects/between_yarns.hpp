@@ -329,6 +329,7 @@ class BetweenYarns final : public Effect {
   /// The slots of every listed pair, touching or not, so that the pattern changes only with the list.
   const std::vector<int>& places_in(Stiffness& matrix) const {
     return matrix.places(this, beads_->version(), [&](std::vector<int>& slots) {
+      slots.reserve(36 * beads_->pairs().size());
       for (const SegmentPair& pair : beads_->pairs()) list_slots(pair, matrix, slots);
     });
   }

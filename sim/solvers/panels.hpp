@@ -32,7 +32,7 @@ class Panels {
   void backward(Eigen::VectorXd& x) const;
 
  private:
-  static constexpr int widest = 32;  // points
+  static constexpr int widest = 8;  // points: the wider, the more zeros above the diagonal
 
   /// Some columns of a supernode, from the first one's diagonal down: what is above it takes no room.
   struct Panel {

@@ -8,9 +8,9 @@
 namespace wale {
 namespace {
 
-// Supernodes of so few points are joined with what follows if that makes no more zeros than CHOLMOD's own limits for
-// three times as many coordinates allow.
-constexpr std::array<std::size_t, 3> joined_points{2, 6, 16};
+// Supernodes of so few points are joined with what follows if the zeros in them are at most 80, 10 and 5 % (CHOLMOD's
+// limits); wider ones make a factor larger that takes as long.
+constexpr std::array<std::size_t, 3> joined_points{1, 4, 8};
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
