@@ -102,9 +102,12 @@ bool Cholesky::factor(const Stiffness& K, double shift) {
   Work& work = *work_;
   work.is_factored = false;
   work.follow_pattern(K);
-  work.left.assign(work.parts.size(), Eigen::MatrixXd::Zero(work.border_size(), work.border_size()));
-  work.is_factored =
-      each(work.parts.size(), [&](std::size_t p) { return work.parts[p]->factor(K, shift, work.used, work.left[p]); });
+  work.border.resize(0, 0);
+  work.left.resize(work.parts.size());
+  work.is_factored = each(work.parts.size(), [&](std::size_t p) {
+    work.left[p].setZero(work.border_size(), work.border_size());
+    return work.parts[p]->factor(K, shift, work.used, work.left[p]);
+  });
   work.is_factored = work.is_factored && work.factor_border(K, shift);
   return work.is_factored;
 }

@@ -6,7 +6,7 @@
 namespace wale {
 
 /// Multifrontal (Duff & Reid 1983): a supernode's columns and what all below it leave of its rows make a small dense
-/// matrix, in double precision; its columns are kept in single precision, and what it leaves waits for its parent only.
+/// matrix, in double precision; its columns are kept as Panels has them, and what it leaves waits for its parent only.
 /// So no more than a small share of the factor is ever there in double precision. Factors the part of K + shift I.
 /// False if that is not positive definite. Adds -C A⁻¹ Cᵀ, which the border loses to the part, to the lower triangle of
 /// `border`. Throws std::bad_alloc.
