@@ -20,6 +20,9 @@ void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* inf
 void dtrsm_(const char* side, const char* uplo, const char* trans, const char* diag, const int* m, const int* n,
             const double* alpha, const double* a, const int* lda, double* b, const int* ldb, std::size_t, std::size_t,
             std::size_t, std::size_t);
+void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k, const double* alpha,
+            const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c,
+            const int* ldc, std::size_t, std::size_t);
 void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const double* alpha, const double* a,
             const int* lda, const double* beta, double* c, const int* ldc, std::size_t, std::size_t);
 }
@@ -93,13 +96,24 @@ inline void dtrsm(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eig
   dtrsm_("R", "L", "T", "N", &m, &n, &one, lower.data(), &lda, b.data(), &ldb, 1, 1, 1, 1);
 }
 
-/// c := beta c - a aᵀ, its lower triangle.
-inline void dsyrk(const Eigen::Ref<const Eigen::MatrixXd>& a, double beta, Eigen::Ref<Eigen::MatrixXd> c) {
+/// c := c - a aᵀ, its lower triangle.
+inline void dsyrk(const Eigen::Ref<const Eigen::MatrixXd>& a, Eigen::Ref<Eigen::MatrixXd> c) {
   const int n = static_cast<int>(a.rows()), k = static_cast<int>(a.cols());
   const int lda = std::max(1, static_cast<int>(a.outerStride()));
   const int ldc = std::max(1, static_cast<int>(c.outerStride()));
-  const double minus = -1;
-  dsyrk_("L", "N", &n, &k, &minus, a.data(), &lda, &beta, c.data(), &ldc, 1, 1);
+  const double minus = -1, one = 1;
+  dsyrk_("L", "N", &n, &k, &minus, a.data(), &lda, &one, c.data(), &ldc, 1, 1);
+}
+
+/// c := c - a bᵀ.
+inline void dgemm(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b,
+                  Eigen::Ref<Eigen::MatrixXd> c) {
+  const int m = static_cast<int>(a.rows()), n = static_cast<int>(b.rows()), k = static_cast<int>(a.cols());
+  const int lda = std::max(1, static_cast<int>(a.outerStride()));
+  const int ldb = std::max(1, static_cast<int>(b.outerStride()));
+  const int ldc = std::max(1, static_cast<int>(c.outerStride()));
+  const double minus = -1, one = 1;
+  dgemm_("N", "T", &m, &n, &k, &minus, a.data(), &lda, b.data(), &ldb, &one, c.data(), &ldc, 1, 1);
 }
 
 }  // namespace wale::lapack

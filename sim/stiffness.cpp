@@ -5,8 +5,8 @@
 namespace wale {
 namespace {
 
-constexpr int few = 64;           // points for which threads cost more than they save
-constexpr std::size_t spare = 8;  // the share, an eighth, for which room is made when values must move anyway
+constexpr int few = 64;            // points for which threads cost more than they save
+constexpr std::size_t spare = 32;  // the share, one in so many, for which room is made when values must move anyway
 
 std::vector<Stiffness::Entry>::const_iterator find(const std::vector<Stiffness::Entry>& row, int column) {
   return std::lower_bound(row.begin(), row.end(), column,
