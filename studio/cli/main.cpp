@@ -20,8 +20,7 @@ int unknown_command(const char* name) {
 }
 
 /// Gives large arrays, as matrices and factors are, pages of their own, which go back when they are freed. glibc would
-/// soon keep those of up to 32 MB among the small ones, and their room between these: a third of 41 x 40 stitches'
-/// memory.
+/// soon keep those of up to 32 MB among the small ones, and their room between these.
 void return_large_arrays() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 4 << 20);
