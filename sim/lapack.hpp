@@ -1,4 +1,4 @@
-/// The routines of LAPACK that are used here, with Eigen's matrices in place of pointers and sizes.
+/// The routines of LAPACK and BLAS that are used here, with Eigen's matrices in place of pointers and sizes.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,12 +17,19 @@ void dgbtrs_(const char* trans, const int* n, const int* kl, const int* ku, cons
 void dgbsv_(const int* n, const int* kl, const int* ku, const int* nrhs, double* ab, const int* ldab, int* ipiv,
             double* b, const int* ldb, int* info);
 void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info, std::size_t);
-void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info, std::size_t);
+void dtrsm_(const char* side, const char* uplo, const char* trans, const char* diag, const int* m, const int* n,
+            const double* alpha, const double* a, const int* lda, double* b, const int* ldb, std::size_t, std::size_t,
+            std::size_t, std::size_t);
+void dgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k, const double* alpha,
+            const double* a, const int* lda, const double* b, const int* ldb, const double* beta, double* c,
+            const int* ldc, std::size_t, std::size_t);
+void dsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const double* alpha, const double* a,
+            const int* lda, const double* beta, double* c, const int* ldc, std::size_t, std::size_t);
 }
 
 namespace wale::lapack {
 
-/// Every function returns LAPACK's info: 0 for success, i > 0 where the i-th pivot (or leading minor) failed.
+/// Every function of LAPACK returns its info: 0 for success, i > 0 where the i-th pivot (or leading minor) failed.
 /// A band matrix is stored by diagonals, one column a column of the matrix. Lower symmetric: element (i, j) is
 /// ab(i - j, j) and ab has 1 + subdiagonals rows. General: element (i, j) is ab(lower + upper + i - j, j), and ab
 /// has 2 lower + upper + 1 rows, of which the first `lower` are LAPACK's to fill.
@@ -72,20 +79,41 @@ inline int dgbsv(int lower, int upper, Eigen::MatrixXd& ab, Eigen::MatrixXd& b) 
   return info;
 }
 
-/// Cholesky factor U of the symmetric positive definite matrix UᵀU in an upper triangle, in place.
-inline int dpotrf(Eigen::MatrixXd& upper) {
-  const int n = static_cast<int>(upper.cols()), lda = std::max(1, n);
+/// Cholesky factor of the symmetric positive definite matrix in a lower triangle, in place.
+inline int dpotrf(Eigen::Ref<Eigen::MatrixXd> lower) {
+  const int n = static_cast<int>(lower.cols()), lda = std::max(1, static_cast<int>(lower.outerStride()));
   int info = 0;
-  dpotrf_("U", &n, upper.data(), &lda, &info, 1);
+  dpotrf_("L", &n, lower.data(), &lda, &info, 1);
   return info;
 }
 
-/// The upper triangle of U Uᵀ from an upper triangle U, in place.
-inline int dlauum(Eigen::MatrixXd& upper) {
-  const int n = static_cast<int>(upper.cols()), lda = std::max(1, n);
-  int info = 0;
-  dlauum_("U", &n, upper.data(), &lda, &info, 1);
-  return info;
+/// b := b L⁻ᵀ with a lower triangle L.
+inline void dtrsm(const Eigen::Ref<const Eigen::MatrixXd>& lower, Eigen::Ref<Eigen::MatrixXd> b) {
+  const int m = static_cast<int>(b.rows()), n = static_cast<int>(b.cols());
+  const int lda = std::max(1, static_cast<int>(lower.outerStride()));
+  const int ldb = std::max(1, static_cast<int>(b.outerStride()));
+  const double one = 1;
+  dtrsm_("R", "L", "T", "N", &m, &n, &one, lower.data(), &lda, b.data(), &ldb, 1, 1, 1, 1);
+}
+
+/// c := c - a aᵀ, its lower triangle.
+inline void dsyrk(const Eigen::Ref<const Eigen::MatrixXd>& a, Eigen::Ref<Eigen::MatrixXd> c) {
+  const int n = static_cast<int>(a.rows()), k = static_cast<int>(a.cols());
+  const int lda = std::max(1, static_cast<int>(a.outerStride()));
+  const int ldc = std::max(1, static_cast<int>(c.outerStride()));
+  const double minus = -1, one = 1;
+  dsyrk_("L", "N", &n, &k, &minus, a.data(), &lda, &one, c.data(), &ldc, 1, 1);
+}
+
+/// c := c - a bᵀ.
+inline void dgemm(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::Ref<const Eigen::MatrixXd>& b,
+                  Eigen::Ref<Eigen::MatrixXd> c) {
+  const int m = static_cast<int>(a.rows()), n = static_cast<int>(b.rows()), k = static_cast<int>(a.cols());
+  const int lda = std::max(1, static_cast<int>(a.outerStride()));
+  const int ldb = std::max(1, static_cast<int>(b.outerStride()));
+  const int ldc = std::max(1, static_cast<int>(c.outerStride()));
+  const double minus = -1, one = 1;
+  dgemm_("N", "T", &m, &n, &k, &minus, a.data(), &lda, b.data(), &ldb, &one, c.data(), &ldc, 1, 1);
 }
 
 }  // namespace wale::lapack

@@ -253,7 +253,7 @@ class Run {
     if (!spec || !stage_at(index).pull || !residual_) return;
     const double allowed = allowed_residual(*spec, results_.scene.fabric);
     for (int round = 0; round < most_rounds; ++round) {  // the load changes with the balance
-      const auto measured = setup.measure(*setup.world(), state);
+      const auto measured = setup.measure(*setup.world_to_measure(), state);
       const auto load = std::find_if(measured.begin(), measured.end(),
                                      [](const Quantity& quantity) { return quantity.name == "force_per_wale"; });
       const double wanted = std::clamp(spec->of_load * std::abs(load->value), least_of_allowed * allowed, allowed);
@@ -266,7 +266,7 @@ class Run {
   }
 
   void record(int index, const StageSetup& setup, const State& state) {
-    const auto world = setup.world();
+    const auto world = setup.world_to_measure();
     std::vector<Quantity> row{{"stage", "1", static_cast<double>(index)}};
     const auto measured = setup.measure(*world, state);
     row.insert(row.end(), measured.begin(), measured.end());

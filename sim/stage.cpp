@@ -131,9 +131,10 @@ void StageSetup::pull_ends() {
   move_grips(stage_.pull->along, strain_of(*stage_.pull, stage_.duration).times(gauge_length_));
 }
 
-std::unique_ptr<World> StageSetup::world() const {
-  auto world = std::make_unique<World>(scene_.fabric, effects_, rest_, start_, scene_.clamps,
-                                       !std::holds_alternative<RungeKutta>(stage_.solver));
+std::unique_ptr<World> StageSetup::world() const { return world(!std::holds_alternative<RungeKutta>(stage_.solver)); }
+
+std::unique_ptr<World> StageSetup::world(bool lagged) const {
+  auto world = std::make_unique<World>(scene_.fabric, effects_, rest_, start_, scene_.clamps, lagged);
   world->guide(guide_);
   return world;
 }

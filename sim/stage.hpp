@@ -21,12 +21,15 @@ class StageSetup {
 
   /// A World to solve in; each call makes a new one, with the same answers.
   std::unique_ptr<World> world() const;
+  /// One for measure(): asked about one state alone, so that no beads are kept twice.
+  std::unique_ptr<World> world_to_measure() const { return world(false); }
   /// What a row of the results' table says of a state.
   std::vector<Quantity> measure(World&, const State&) const;
   /// Between the grips of a mount or a pull at the start, m.
   double gauge_length() const { return gauge_length_; }
 
  private:
+  std::unique_ptr<World> world(bool lagged) const;
   void hold_ends();
   void mount_ends(const std::vector<double>& travels);
   void pull_ends();

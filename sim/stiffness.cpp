@@ -5,8 +5,8 @@
 namespace wale {
 namespace {
 
-constexpr int few = 64;           // points for which threads cost more than they save
-constexpr std::size_t spare = 8;  // the share, an eighth, for which room is made when values must move anyway
+constexpr int few = 64;            // points for which threads cost more than they save
+constexpr std::size_t spare = 32;  // the share, one in so many, for which room is made when values must move anyway
 
 std::vector<Stiffness::Entry>::const_iterator find(const std::vector<Stiffness::Entry>& row, int column) {
   return std::lower_bound(row.begin(), row.end(), column,
@@ -27,7 +27,7 @@ void Stiffness::clear() {
 void Stiffness::fit() {
   const std::size_t slots = pattern_->slots;
   if (values_.size() == slots) return;
-  if (values_.capacity() < slots) values_.reserve(slots + slots / spare);
+  if (values_.capacity() < slots) values_.reserve(values_.empty() ? slots : slots + slots / spare);
   values_.resize(slots, Mat3::Zero());
 }
 

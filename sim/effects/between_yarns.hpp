@@ -101,8 +101,9 @@ class BetweenYarns final : public Effect {
 
  private:
   static constexpr std::size_t period_blocks = 8 * 2 + 3;
-  static constexpr std::size_t few = 64;           // pairs for which threads cost more than they save
-  static constexpr std::size_t most_blocks = 512;  // pairs whose blocks fit a core's cache
+  static constexpr std::size_t own_blocks = 10, mixed_blocks = 16;  // of a segment, of two
+  static constexpr std::size_t few = 64;                            // pairs for which threads cost more than they save
+  static constexpr std::size_t most_blocks = 512;                   // pairs whose blocks fit a core's cache
   using Quad = Eigen::Matrix<double, 3, 4>;
   /// Two symmetric 3 x 3 matrices by their upper triangles, row by row: the exact and the convex second slope.
   using Twin = Eigen::Array<double, 12, 1>;
@@ -281,13 +282,13 @@ class BetweenYarns final : public Effect {
         std::size_t block = 0;
         for (int j = 0; j < 8; ++j)
           for (int k = j; k < 8; ++k, ++block) {
+            const std::size_t place = place_of(contacts[c].pair, j, k);
             const int p = point(pair, j), q = point(pair, k), row = std::min(p, q);
             if (row < first || row >= last) continue;
             // The two segments may share a control point.
             const double times = p == q && j != k ? 2 : 1;
             for (std::size_t m = 0; m < 2; ++m)
-              if (out[m])
-                out[m]->add_at((*places[m])[contacts[c].pair * 36 + block], times * one_of(blocks[c][block], m));
+              if (out[m]) out[m]->add_at((*places[m])[place], times * one_of(blocks[c][block], m));
           }
       }
     });
@@ -410,28 +411,36 @@ class BetweenYarns final : public Effect {
 
   int point(const SegmentPair& pair, int k) const { return parts_.fabric.first_point(k < 4 ? pair.a : pair.b) + k % 4; }
 
-  void list_slots(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
+  /// Where places_in() has block (j, k), j <= k, of the eight control points of a pair.
+  std::size_t place_of(std::size_t pair, int j, int k) const {
+    if (j < 4 && k >= 4)
+      return own_blocks * parts_.fabric.segments.size() + mixed_blocks * pair + static_cast<std::size_t>(4 * j + k - 4);
+    const SegmentPair& of = beads_->pairs()[pair];
+    const int first = j % 4;
+    return own_blocks * static_cast<std::size_t>(k < 4 ? of.a : of.b) +
+           static_cast<std::size_t>(4 * first - first * (first + 1) / 2 + k % 4);
+  }
+
+  void list_mixed(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
     const int a = point(pair, 0), b = point(pair, 4);
-    if (b < a + 4) return list_overlapping(pair, matrix, slots);
     for (int j = 0; j < 4; ++j) {
-      matrix.slots(a + j, a + j, 4 - j, slots);
-      matrix.slots(a + j, b, 4, slots);
+      if (b >= a + 4)
+        matrix.slots(a + j, b, 4, slots);
+      else
+        for (int k = 0; k < 4; ++k) slots.push_back(matrix.slot(std::min(a + j, b + k), std::max(a + j, b + k)));
     }
-    for (int j = 0; j < 4; ++j) matrix.slots(b + j, b + j, 4 - j, slots);
   }
 
-  void list_overlapping(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
-    for (int j = 0; j < 8; ++j)
-      for (int k = j; k < 8; ++k) {
-        const int p = point(pair, j), q = point(pair, k);
-        slots.push_back(matrix.slot(std::min(p, q), std::max(p, q)));
-      }
-  }
-
-  /// The slots of every listed pair, touching or not, so that the pattern changes only with the list.
+  /// The slots of every segment's own blocks, then of those that every listed pair mixes, touching or not, so that the
+  /// pattern changes only with the list.
   const std::vector<int>& places_in(Stiffness& matrix) const {
     return matrix.places(this, beads_->version(), [&](std::vector<int>& slots) {
-      for (const SegmentPair& pair : beads_->pairs()) list_slots(pair, matrix, slots);
+      const int segments = parts_.fabric.segment_count();
+      slots.reserve(own_blocks * static_cast<std::size_t>(segments) + mixed_blocks * beads_->pairs().size());
+      for (int i = 0; i < segments; ++i)
+        for (int j = 0, first = parts_.fabric.first_point(i); j < 4; ++j)
+          matrix.slots(first + j, first + j, 4 - j, slots);
+      for (const SegmentPair& pair : beads_->pairs()) list_mixed(pair, matrix, slots);
     });
   }
 

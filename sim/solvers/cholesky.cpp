@@ -12,25 +12,26 @@ namespace {
 
 // A product takes so much longer in a solve, which waits for memory, than in a factor; measured.
 constexpr double waiting_for_memory = 12;
+// Points whose factor stays in a cache, where half the values would save no time, but would lead cells of rib and seed
+// to other states of rest, of which they have several.
+constexpr int in_cache = 4000;
 constexpr double much_fuller = 1.1;  // than the factor for which the order was made
 
-using Status = PartFactor::Status;
-
-/// Calls act(p) for every part, each on a thread of its own if there are as many, and answers the worst status.
+/// Calls act(p) for every part, each on a thread of its own if there are as many. False if any is. Throws
+/// std::bad_alloc.
 template <class Act>
-Status each(std::size_t parts, const Act& act) {
-  std::vector<Status> status(parts);
-#pragma omp parallel for schedule(static, 1) if (parts > 1)
+bool each(std::size_t parts, const Act& act) {
+  bool good = true, enough_memory = true;
+#pragma omp parallel for schedule(static, 1) if (parts > 1) reduction(&& : good, enough_memory)
   for (std::size_t p = 0; p < parts; ++p) {
     try {
-      status[p] = act(p);
+      good = act(p) && good;
     } catch (const std::bad_alloc&) {
-      status[p] = Status::no_memory;
+      enough_memory = false;
     }
   }
-  const Status worst = *std::max_element(status.begin(), status.end());
-  if (worst == Status::no_memory) throw std::bad_alloc();
-  return worst;
+  if (!enough_memory) throw std::bad_alloc();
+  return good;
 }
 
 }  // namespace
@@ -40,8 +41,8 @@ struct Cholesky::Work {
   std::optional<Dissection> dissection;
   std::size_t values_then = 0;  // in the factor, when the dissection was made
   std::vector<std::unique_ptr<PartFactor>> parts;
-  std::vector<Eigen::MatrixXd> left;  // of the border by each part, while they are summed
-  Eigen::MatrixXd border;             // U of what all parts leave of it, UᵀU; last coordinate first
+  std::vector<Eigen::MatrixXd> left;  // what the border loses to each, until they are summed
+  Eigen::MatrixXd border;             // the lower triangle of the factor of what they leave; dense
   bool is_factored = false;
 
   Eigen::Index border_size() const { return 3 * static_cast<Eigen::Index>(dissection->border.size()); }
@@ -67,34 +68,33 @@ void Cholesky::Work::follow_pattern(const Stiffness& K) {
 /// Answers how many values the factors have.
 std::size_t Cholesky::Work::make_parts(const Stiffness& K) {
   parts.clear();
+  const Precision precision = K.points() < in_cache ? Precision::double_ : Precision::single_;
   parts.resize(dissection->parts.size());
   each(parts.size(), [&](std::size_t p) {
-    parts[p] = std::make_unique<PartFactor>(K, used, dissection->parts[p], dissection->border);
-    return Status::good;
+    parts[p] = std::make_unique<PartFactor>(K, used, dissection->parts[p], dissection->border, precision);
+    return true;
   });
   std::size_t values = 0;
   for (const auto& part : parts) values += part->values();
   return values;
 }
 
-/// Every part leaves the border's own block less what it takes of it; that block counts once.
 bool Cholesky::Work::factor_border(const Stiffness& K, double shift) {
   const std::vector<int>& points = dissection->border;
   if (points.empty()) return true;
   std::vector<int> place(static_cast<std::size_t>(K.points()), -1);
   for (std::size_t k = 0; k < points.size(); ++k) place[static_cast<std::size_t>(points[k])] = static_cast<int>(k);
-  Eigen::MatrixXd own = Eigen::MatrixXd::Zero(border_size(), border_size());  // its lower triangle
+  border = std::move(left.front());
+  for (std::size_t p = 1; p < left.size(); ++p) border += left[p];
+  left.clear();
   for (const int i : points)
     for (const Stiffness::Entry& entry : K.row(i)) {
       const int row = place[static_cast<std::size_t>(i)], column = place[static_cast<std::size_t>(entry.column)];
       if (column < 0 || column > row) continue;
       const Mat3& block = K.at(entry.slot);
-      own.block<3, 3>(3 * row, 3 * column) = entry.column < i ? Mat3(block.transpose()) : block;
+      border.block<3, 3>(3 * row, 3 * column) += entry.column < i ? Mat3(block.transpose()) : block;
     }
-  own.diagonal().array() += shift;
-  border = (1 - static_cast<double>(parts.size())) * own.reverse();
-  for (const Eigen::MatrixXd& of_part : left) border += of_part;
-  left.clear();
+  border.diagonal().array() += shift;
   return lapack::dpotrf(border) == 0;
 }
 
@@ -102,13 +102,13 @@ bool Cholesky::factor(const Stiffness& K, double shift) {
   Work& work = *work_;
   work.is_factored = false;
   work.follow_pattern(K);
+  work.border.resize(0, 0);
   work.left.resize(work.parts.size());
-  const Status status = each(work.parts.size(), [&](std::size_t p) {
-    const Status found = work.parts[p]->factor(K, shift);
-    if (found == Status::good) work.left[p] = work.parts[p]->left_of_border();
-    return found;
+  work.is_factored = each(work.parts.size(), [&](std::size_t p) {
+    work.left[p].setZero(work.border_size(), work.border_size());
+    return work.parts[p]->factor(K, shift, work.used, work.left[p]);
   });
-  work.is_factored = status == Status::good && work.factor_border(K, shift);
+  work.is_factored = work.is_factored && work.factor_border(K, shift);
   return work.is_factored;
 }
 
@@ -126,18 +126,22 @@ void Cholesky::solve(Eigen::VectorXd& x) const {
   Work& work = *work_;
   const std::vector<int>& points = work.dissection->border;
   std::vector<Eigen::VectorXd> by_part(work.parts.size(), Eigen::VectorXd::Zero(work.border_size()));
-  each(work.parts.size(), [&](std::size_t p) { return work.parts[p]->forward(x, by_part[p]); });
+  each(work.parts.size(), [&](std::size_t p) {
+    work.parts[p]->forward(x, by_part[p]);
+    return true;
+  });
   Eigen::VectorXd at_border(work.border_size());
   for (std::size_t k = 0; k < points.size(); ++k)
     at_border.segment<3>(3 * static_cast<Eigen::Index>(k)) = x.segment<3>(3 * points[k]);
   for (const Eigen::VectorXd& of_part : by_part) at_border += of_part;
   if (!points.empty()) {
-    at_border.reverseInPlace();
-    work.border.transpose().triangularView<Eigen::Lower>().solveInPlace(at_border);
-    work.border.triangularView<Eigen::Upper>().solveInPlace(at_border);
-    at_border.reverseInPlace();
+    work.border.triangularView<Eigen::Lower>().solveInPlace(at_border);
+    work.border.transpose().triangularView<Eigen::Upper>().solveInPlace(at_border);
   }
-  each(work.parts.size(), [&](std::size_t p) { return work.parts[p]->backward(at_border, x); });
+  each(work.parts.size(), [&](std::size_t p) {
+    work.parts[p]->backward(at_border, x);
+    return true;
+  });
   for (std::size_t k = 0; k < points.size(); ++k)
     x.segment<3>(3 * points[k]) = at_border.segment<3>(3 * static_cast<Eigen::Index>(k));
 }

@@ -110,7 +110,9 @@ bool Equilibrium::factor(const State& at, Effort& effort) {
   increment_.second(at, leeway_, shift, exact_, serves ? nullptr : &convex_);
   if (serves) return true;
   ++effort.factorizations;
-  return cholesky_.factor(convex_, 0);
+  const bool factored = cholesky_.factor(convex_, 0);
+  convex_.release();
+  return factored;
 }
 
 void Equilibrium::precondition(Eigen::VectorXd& x) const {

@@ -131,6 +131,9 @@ void Leeway::add_to(Stiffness& K, double weight) const {
   const Mat3 block = weight * Mat3::Identity();
   for (int i = 0; i < K.points(); ++i) K.add(i, i, shared_motion * block);
   const std::vector<int>& places = K.places(this, version_, [&](std::vector<int>& slots) {
+    std::size_t count = 0;
+    each_block([&](int, int, double) { ++count; });
+    slots.reserve(count);
     each_block([&](int i, int j, double) { slots.push_back(K.slot(i, j)); });
     each_turned_block([&](int i, int j, const Mat3&) { slots.push_back(K.slot(i, j)); });
   });

@@ -3,6 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "compiler/spelling.hpp"
 #include "studio/cli/commands.hpp"
 #include "studio/cli/complain.hpp"
@@ -15,9 +19,18 @@ int unknown_command(const char* name) {
   return wale::complain("wale", fmt::format("there is no command \"{}\"", name), hint);
 }
 
+/// Gives large arrays, as matrices and factors are, pages of their own, which go back when they are freed. glibc would
+/// soon keep those of up to 32 MB among the small ones, and their room between these.
+void return_large_arrays() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  return_large_arrays();
   CLI::App app{"From a knitting chart to a stress-strain curve, yarn by yarn.", "wale"};
   app.set_version_flag("--version", WALE_VERSION);
   app.require_subcommand(1);
