@@ -7,7 +7,7 @@
 
 #include "tests/support/finite_difference.hpp"
 #include "tests/support/one_thread.hpp"
-#include "tests/support/ties.hpp"
+#include "tests/support/random_ties.hpp"
 
 namespace wale {
 namespace {
@@ -19,7 +19,7 @@ Eigen::VectorXd solved(const Cholesky& cholesky, Eigen::VectorXd x) {
 
 TEST(Cholesky, SolvesAsADenseSolverDoes) {
   for (const int points : {1, 2, 40, 300}) {
-    const Stiffness K = Ties(points, 17, 3).matrix();
+    const Stiffness K = RandomTies(points, 17, 3).matrix();
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3 * points, -1, 2);
     Eigen::MatrixXd whole = dense(K);
     whole.diagonal().array() += 0.3;
@@ -31,7 +31,7 @@ TEST(Cholesky, SolvesAsADenseSolverDoes) {
 }
 
 TEST(Cholesky, FollowsAPatternThatGrows) {
-  Ties ties(60, 12, 5);
+  RandomTies ties(60, 12, 5);
   Stiffness K = ties.matrix();
   Cholesky cholesky;
   ASSERT_TRUE(cholesky.factor(K, 1));
@@ -66,7 +66,7 @@ double rounding(const Stiffness& K, double shift) {
 TEST(Cholesky, SolvesInTwoPartsAndAlongTheirBorder) {
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3 * many, -1, 2);
   for (const double shift : {0.3, 1e-3}) {
-    Stiffness K = Ties(many, row, 3).matrix();
+    Stiffness K = RandomTies(many, row, 3).matrix();
     Cholesky cholesky;
     ASSERT_TRUE(cholesky.factor(K, shift));
     EXPECT_LT(residual(K, shift, solved(cholesky, b), b), rounding(K, shift));
@@ -77,7 +77,7 @@ TEST(Cholesky, SolvesInTwoPartsAndAlongTheirBorder) {
 }
 
 TEST(Cholesky, ConvergesToAnySolutionInSinglePrecision) {
-  const Stiffness K = Ties(many, row, 3).matrix();
+  const Stiffness K = RandomTies(many, row, 3).matrix();
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3 * many, -1, 2);
   Cholesky cholesky;
   ASSERT_TRUE(cholesky.factor(K, 1e-3));
@@ -91,7 +91,7 @@ TEST(Cholesky, ConvergesToAnySolutionInSinglePrecision) {
 
 TEST(Cholesky, SolvesWhatFallsApartByItself) {
   Stiffness K(2 * many);
-  Ties ties(2 * many, row, 3);
+  RandomTies ties(2 * many, row, 3);
   for (int i = 0; i < 2 * many; ++i)
     for (const int j : {i + 1, i + row})
       if (j < 2 * many && i / many == j / many) ties.tie(K, i, j);
@@ -102,7 +102,7 @@ TEST(Cholesky, SolvesWhatFallsApartByItself) {
 }
 
 TEST(Cholesky, FollowsTiesBetweenItsTwoParts) {
-  Ties ties(many, row, 5);
+  RandomTies ties(many, row, 5);
   Stiffness K = ties.matrix();
   Cholesky cholesky;
   ASSERT_TRUE(cholesky.factor(K, 1));
@@ -114,7 +114,7 @@ TEST(Cholesky, FollowsTiesBetweenItsTwoParts) {
 
 TEST(Cholesky, RefusesWhatIsNotPositiveDefinite) {
   for (const int points : {80, many}) {
-    const Stiffness good = Ties(points, 9, 1).matrix();
+    const Stiffness good = RandomTies(points, 9, 1).matrix();
     for (int at = points / 16; at < points; at += points / 8) {
       Stiffness K = good;
       Cholesky cholesky;
@@ -131,7 +131,7 @@ TEST(Cholesky, RefusesWhatIsNotPositiveDefinite) {
 TEST(Cholesky, GivesTheSameBitsForAnyNumberOfThreads) {
   OneThread restore;
   for (const int points : {2000, many}) {
-    const Stiffness K = Ties(points, 45, 7).matrix();
+    const Stiffness K = RandomTies(points, 45, 7).matrix();
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3 * points, -1, 2);
     const auto with = [&](int threads) {
       omp_set_num_threads(threads);
@@ -149,7 +149,7 @@ TEST(Cholesky, GivesTheSameBitsForAnyNumberOfThreads) {
 TEST(Cholesky, LeavesTheThreadsOfItsCallerAsTheyAre) {
   const int levels = omp_get_max_active_levels(), threads = omp_get_max_threads();
   Cholesky cholesky;
-  ASSERT_TRUE(cholesky.factor(Ties(40, 17, 3).matrix(), 1));
+  ASSERT_TRUE(cholesky.factor(RandomTies(40, 17, 3).matrix(), 1));
   solved(cholesky, Eigen::VectorXd::Ones(120));
   EXPECT_EQ(omp_get_max_active_levels(), levels);
   EXPECT_EQ(omp_get_max_threads(), threads);

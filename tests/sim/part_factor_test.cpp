@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 
 #include "tests/support/finite_difference.hpp"
-#include "tests/support/ties.hpp"
+#include "tests/support/random_ties.hpp"
 
 namespace wale {
 namespace {
@@ -32,7 +32,7 @@ class OfPart : public ::testing::TestWithParam<Precision> {
   double tolerance() const { return GetParam() == Precision::double_ ? 1e-12 : 1e-5; }
 
   Split split;
-  Stiffness K = Ties(points, 13, 3).matrix();
+  Stiffness K = RandomTies(points, 13, 3).matrix();
   UsedBlocks used = [this] {
     UsedBlocks blocks;
     blocks.update(K);
@@ -83,7 +83,7 @@ TEST_P(OfPart, SaysWhatIsNotPositiveDefinite) {
 /// The factor of a full matrix is a triangle; panels eight points wide hold half of their diagonal blocks in vain.
 TEST(PartFactor, KeepsLittleAboveTheDiagonal) {
   constexpr int few = 100;
-  Ties ties(few, 1, 1);
+  RandomTies ties(few, 1, 1);
   Stiffness K(few);
   for (int i = 0; i < few; ++i)
     for (int j = i + 1; j < few; ++j) ties.tie(K, i, j);

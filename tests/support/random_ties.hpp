@@ -8,9 +8,9 @@
 namespace wale {
 
 /// A chain of points that lies in rows, each tied to the row before, as yarn in a fabric.
-class Ties {
+class RandomTies {
  public:
-  Ties(int points, int row, unsigned seed) : points_(points), row_(row), random_(seed) {}
+  RandomTies(int points, int row, unsigned seed) : points_(points), row_(row), random_(seed) {}
 
   Stiffness matrix() {
     Stiffness K(points_);
