@@ -212,6 +212,7 @@ struct Stage {
   bool solver_open = false;   ///< nobody asked for this solver
 
   bool strains() const { return pull || deform; }
+  bool follows_motion() const { return !std::holds_alternative<QuasiStatic>(solver); }
   /// Then the fabric does not lie as it relaxed.
   bool grips() const { return mount || strains(); }
 };

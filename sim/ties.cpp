@@ -22,6 +22,14 @@ Ties::Ties(const Fabric& fabric) : columns_(static_cast<int>(fabric.points.cols(
 
 std::array<int, 2> Ties::parts(int column) const { return {free_column(column), follows(column) ? free_ - 2 : -1}; }
 
+Points Ties::pick(const Points& all) const {
+  if (empty()) return all;
+  Points free(3, free_);
+  for (int i = 0; i < columns_; ++i)
+    if (!follows(i)) free.col(free_column(i)) = all.col(i);
+  return free;
+}
+
 Points Ties::spread(const Points& free) const {
   if (empty()) return free;
   Points all(3, columns_);

@@ -22,6 +22,8 @@ class Ties {
   /// Those that move by themselves.
   int free_columns() const { return free_; }
 
+  /// Of the motion of all columns, that of the free ones.
+  Points pick(const Points& all) const;
   /// Motion of all columns from that of the free ones.
   Points spread(const Points& free) const;
   /// Force on the free columns from that on all: the transpose of spread().
