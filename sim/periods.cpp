@@ -1,6 +1,7 @@
 #include "sim/periods.hpp"
 
 #include <Eigen/LU>
+#include <stdexcept>
 
 namespace wale {
 namespace {
@@ -19,16 +20,15 @@ void PeriodGuide::lead(State& state) const {
 }
 
 bool PeriodGuide::pace(State& state, double until) const {
+  if (leaves_free()) throw std::invalid_argument("a free period has no motion of its own");
   // Times of schedules are met to rounding only.
   const double between = (state.t + until) / 2;
   const Plane before = state.v.topRightCorner<2, 2>();
   Plane after = before;
-  const auto set = [between](const Part& part, double& rate) {
-    if (part.how != How::free) rate = part.how == How::led ? part.length.rate(between) : 0;
-  };
-  set(course, after(0, 0));
-  set(wale, after(1, 1));
-  set(lean, after(0, 1));
+  const auto rate = [between](const Part& part) { return part.how == How::led ? part.length.rate(between) : 0; };
+  after(0, 0) = rate(course);
+  after(1, 1) = rate(wale);
+  after(0, 1) = rate(lean);
   if (after == before) return false;
   state.v.topRows<2>() += (after - before) * in_periods(state.q, state);
   state.v.topRightCorner<2, 2>() = after;

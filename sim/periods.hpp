@@ -24,8 +24,8 @@ struct PeriodGuide {
 
   /// Sets what is led to where it is at `state.t`, and lets the whole fabric go along.
   void lead(State& state) const;
-  /// Gives what is led or held the rate at which it goes from `state.t` to `until`, between which no schedule turns,
-  /// and lets the whole fabric go along: how it moves beside the flow does not change. Whether it went otherwise.
+  /// Gives each period its rate from `state.t` to `until`, between which no schedule turns, and lets the fabric go
+  /// along, unchanged beside the flow; whether it went otherwise. Throws std::invalid_argument if a period is free.
   bool pace(State& state, double until) const;
   bool leaves_free() const { return course.how == How::free || wale.how == How::free || lean.how == How::free; }
   /// By coordinate (rows) and period (columns): 1 where it may move, 0 where it may not.

@@ -85,6 +85,14 @@ TEST(PeriodicMotion, LetsTheFabricGoAlongWithItsPeriods) {
   }
 }
 
+TEST(PeriodicMotion, IsRefusedWhereAPeriodIsFree) {
+  for (PeriodGuide guide : {PeriodGuide{{}, held(), held()}, PeriodGuide{held(), {}, held()}, PeriodGuide{}}) {
+    MovingCell cell(resting_stitch(), {Stretch{}}, guide);
+    EXPECT_THROW(make(Implicit{}, cell.world(), cell.start())->advance(each), std::invalid_argument);
+    EXPECT_THROW(make(RungeKutta{}, cell.world(), cell.start())->advance(each), std::invalid_argument);
+  }
+}
+
 TEST(PeriodicMotion, FailsWithASentenceThatSaysWhere) {
   const OneThread one;
   const auto check = [](const auto& spec) {
