@@ -55,6 +55,7 @@ Mass::Mass(const Fabric& fabric) {
     band.factor = band.matrix;
     if (lapack::dpbtrf(band.factor) != 0)
       throw std::invalid_argument("a yarn's mass is not positive: linear density and rest length must be");
+    if (fabric.cell) band.closed.emplace(band.matrix);
     yarns_.push_back(std::move(band));
   }
 }
@@ -79,10 +80,24 @@ void Mass::solve(Points& b) const {
   Eigen::MatrixXd columns;
   for (const Band& yarn : yarns_) {
     auto part = b.middleCols(yarn.first_point, yarn.factor.cols());
+    if (yarn.closed) {
+      solve(*yarn.closed, part);
+      continue;
+    }
     columns = part.transpose();
     lapack::dpbtrs(yarn.factor, columns);
     part = columns.transpose();
   }
+  if (!yarns_.empty() && yarns_.front().closed) b.rightCols<2>().setZero();
+}
+
+void Mass::solve(const CyclicBand& yarn, Eigen::Ref<Points> b) {
+  const Eigen::Index segments = b.cols() - 3;
+  b.leftCols<3>() += b.rightCols<3>();
+  Eigen::MatrixXd columns = b.leftCols(segments).transpose();
+  yarn.solve(columns);
+  b.leftCols(segments) = columns.transpose();
+  b.rightCols<3>() = b.leftCols<3>();
 }
 
 Points Mass::times(const Points& v) const {

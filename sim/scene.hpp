@@ -214,6 +214,7 @@ struct Stage {
 
   /// What tightens at the periods that `deform` holds comes to its size only then.
   bool strains() const { return pull || (deform && !tighten); }
+  bool follows_motion() const { return !std::holds_alternative<QuasiStatic>(solver); }
   /// Then the fabric does not lie as it relaxed.
   bool grips() const { return mount || strains(); }
 };

@@ -28,6 +28,15 @@ class Schedule {
     }
     return knots_.back().value;
   }
+  /// How fast it changes at `t`, a second; at a knot, before it.
+  double rate(double t) const {
+    if (t <= knots_.front().t) return 0;
+    for (std::size_t i = 1; i < knots_.size(); ++i) {
+      const Knot &a = knots_[i - 1], &b = knots_[i];
+      if (t <= b.t) return b.t > a.t ? (b.value - a.value) / (b.t - a.t) : 0;
+    }
+    return 0;
+  }
   /// The same with all its values multiplied.
   Schedule times(double factor) const {
     std::vector<Knot> knots = knots_;

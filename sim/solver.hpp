@@ -47,9 +47,10 @@ class Solver {
   virtual bool sharpen([[maybe_unused]] double newtons) { return false; }
 };
 
-/// `world` must outlive the solver.
+/// `world` must outlive the solver. One that follows a motion is given a periodic fabric only if its guide leaves no
+/// period free, and goes to no time beyond one at which that turns; nothing of it sleeps.
 std::unique_ptr<Solver> make(const RungeKutta&, World& world, State);
-/// `world` must be lagged if anything in it depends on velocity, and its fabric not periodic.
+/// `world` must be lagged if anything in it depends on velocity.
 std::unique_ptr<Solver> make(const Implicit&, World& world, State);
 /// The steps of the spec are taken as seconds.
 std::unique_ptr<Solver> make(const QuasiStatic&, World& world, State);

@@ -156,10 +156,13 @@ std::vector<Quantity> StageSetup::measure(World& world, const State& state) cons
     for (int end = 0; end < 2; ++end)
       if (effect->name() == grip_labels[end]) grip_load[end] = force.rowwise().sum().dot(along);
   }
-  row.push_back({"energy.kinetic", "J", world.mass().kinetic_energy(state.v)});
+  const bool flows = scene_.fabric.cell && stage_.follows_motion();
+  row.push_back({"energy.kinetic", "J", world.mass().kinetic_energy(flows ? beside_flow(state) : state.v)});
   row.push_back({"closest", "1", world.closest()});
-  if (scene_.fabric.cell)
-    measure_periods(world.ties().gather(total), state, row);
+  if (flows)
+    measure_periods(force_on_flow(total, state, world.mass()), state, row);
+  else if (scene_.fabric.cell)
+    measure_periods(world.ties().gather(total).rightCols<2>(), state, row);
   else if (gripped())
     measure_grips(grip_load, state.t, row);
   return row;
@@ -171,8 +174,8 @@ std::optional<Along> StageSetup::gripped() const {
 
 /// What the endless fabric bears across its periods, from the force conjugate to each: a stress is that force over the
 /// other period, as it was in the relaxed fabric, and the thickness.
-void StageSetup::measure_periods(const Points& force, const State& state, std::vector<Quantity>& row) const {
-  const auto on_periods = force.rightCols<2>();
+void StageSetup::measure_periods(const Eigen::Matrix<double, 3, 2>& on_periods, const State& state,
+                                 std::vector<Quantity>& row) const {
   const Periods periods = state.q.rightCols<2>();
   const double across = relaxed_.width * scene_.gauge.thickness, up = relaxed_.length * scene_.gauge.thickness;
   row.push_back({"period.course", "m", periods(0, 0)});

@@ -36,7 +36,7 @@ class StageSetup {
   std::optional<Along> gripped() const;
   void guide_periods();
   void measure_grips(const double (&load)[2], double t, std::vector<Quantity>&) const;
-  void measure_periods(const Points& force, const State&, std::vector<Quantity>&) const;
+  void measure_periods(const Eigen::Matrix<double, 3, 2>& on_periods, const State&, std::vector<Quantity>&) const;
   void measure_curl(double force, const Periods&, std::vector<Quantity>&) const;
   Tether grip_on(Along, std::size_t end) const;
   void close_grips(Along);

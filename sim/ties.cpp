@@ -53,6 +53,14 @@ std::array<Ties::Part, 3> Ties::parts(int column) const {
   return all;
 }
 
+Points Ties::pick(const Points& all) const {
+  if (empty()) return all;
+  Points free(3, free_);
+  for (int i = 0; i < columns_; ++i)
+    if (!follows(i)) free.col(free_column(i)) = all.col(i);
+  return free;
+}
+
 Points Ties::spread(const Points& free) const {
   if (empty()) return free;
   Points all(3, columns_);

@@ -30,6 +30,8 @@ class Ties {
   /// Whether that makes a difference.
   bool turn() const { return cell_.has_value(); }
 
+  /// Of the motion of all columns, that of the free ones.
+  Points pick(const Points& all) const;
   /// Motion of all columns from that of the free ones.
   Points spread(const Points& free) const;
   /// Force on the free columns from that on all: the transpose of spread().

@@ -227,6 +227,12 @@ void refuse_in_periodic(const Fields& fields, Diagnostics& say) {
                 std::string(hint));
 }
 
+void refuse_sleep(const YamlNode& solver, Diagnostics& say) {
+  if (const YamlNode* sleep = solver.find("sleep"))
+    say.error("S010", sleep->span, "\"sleep\" is for swatches, and this fabric is periodic",
+              "leave it out: whatever moves in an endless fabric moves in every repeat");
+}
+
 /// Those among which a choice is left open, with their defaults, in the order of effect_readers.
 std::vector<EffectSpec> candidates(bool periodic) {
   std::vector<EffectSpec> all;
@@ -275,7 +281,7 @@ SolverSpec read_solver(const YamlNode& node, bool periodic, Diagnostics& say) {
   for (const SolverReader& reader : solver_readers) keys.push_back(reader.key);
   const YamlNode defaults;
   const SolverReader* chosen = nullptr;
-  const YamlNode *settings = &defaults, *named = &node;
+  const YamlNode* settings = &defaults;
   if (node.kind == YamlNode::Kind::scalar) {
     if (const auto word = read_word(node, "the solver", keys, say)) chosen = &solver_readers[*word];
   } else {
@@ -285,14 +291,11 @@ SolverSpec read_solver(const YamlNode& node, bool periodic, Diagnostics& say) {
       if (!given) continue;
       if (chosen) say.error("S004", node.entries[1].span, "a stage has one solver", "keep one of them");
       chosen = &reader;
-      settings = named = given;
+      settings = given;
     }
   }
   if (!chosen) return QuasiStatic{};
-  if (periodic && chosen != &solver_readers[0])
-    say.error(
-        "S010", named->span, fmt::format("\"{}\" is for swatches, and this fabric is periodic", chosen->key),
-        "leave it out: the periods of an endless fabric have no mass, so it goes from equilibrium to equilibrium");
+  if (periodic) refuse_sleep(*settings, say);
   return chosen->read(*settings, say);
 }
 

@@ -20,7 +20,7 @@ void read_effects(const YamlNode& node, bool periodic, Stage&, Mentions&, Diagno
 std::vector<EffectSpec> read_obstacles(const YamlNode&, Mentions&, Diagnostics&);
 /// `shrink`: which yarn by how much, or a list of that.
 std::vector<Shrink> read_shrink(const YamlNode&, Mentions&, Diagnostics&);
-/// `quasi_static`, `runge_kutta` or `implicit`, alone or as a map with settings. Of a periodic fabric only the first.
+/// `quasi_static`, `runge_kutta` or `implicit`, alone or as a map with settings. Of a periodic fabric nothing sleeps.
 SolverSpec read_solver(const YamlNode&, bool periodic, Diagnostics&);
 /// `pull`: a direction and a strain, or several. Nothing if it is no map.
 std::optional<Pull> read_pull(const YamlNode&, bool periodic, Diagnostics&);

@@ -43,6 +43,7 @@ class ImplicitSolver final : public Solver {
   Progress advance(double until) override {
     if (state_.t >= until) return Progress::arrived;
     equilibrium_.forget();
+    if (world_.fabric().cell && world_.guide().pace(state_, until)) state_.a = {};
     if (state_.a.size() == 0) {
       world_.accelerate(state_, state_.a);
       ++effort_.evaluations;
@@ -117,29 +118,51 @@ class ImplicitSolver final : public Solver {
     if (equilibrium_.relax(found.at, goal, spec_.iterations, effort_) != Equilibrium::Answer::found) return false;
     found.at.v = (found.at.q - q) / time;
     found.a = (found.at.q - coasting) / (time * time);
+    if (world_.fabric().cell) tie(from, found);
     return true;
+  }
+
+  /// Periods go on at their rate, and what follows follows: to the last bit, or else rounding adds up.
+  void tie(const State& from, Motion& found) const {
+    found.at.v.rightCols<2>() = from.v.rightCols<2>();
+    found.a.rightCols<2>().setZero();
+    for (Points* of : {&found.at.q, &found.at.v, &found.a}) *of = increment_.spread(world_.ties().pick(*of));
+  }
+
+  /// Goes along with the periods, which leads no yarn through another, and leaves of `ahead` what is beside that.
+  void flow(Points& ahead, State& at) const {
+    ahead += at.q;
+    world_.guide().lead(*world_.fabric().cell, at);
+    ahead -= at.q;
+    ahead.rightCols<2>().setZero();
   }
 
   /// Moves `at` by about `ahead`, and all of it together to where it coasts on the whole: then inner forces, which move
   /// no centre of mass, are all that is left to find, and momentum is kept however well they are found.
   void guess(const Points& coasting, Points ahead, State& at) {
+    if (world_.fabric().cell) flow(ahead, at);
+    const Eigen::Index points = world_.fabric().points.cols();
     if (world_.constraints().empty()) {
       const Points missing = world_.mass().times(coasting - at.q - ahead);
       const double mass = world_.mass().times(Points::Ones(3, missing.cols())).row(0).sum();
       const Vec3 together = missing.rowwise().sum() / mass;
-      ahead.colwise() += together;
+      ahead.leftCols(points).colwise() += together;
       const Vec3 shared = world_.mass().times(ahead).rowwise().sum() / mass;
-      at.q.colwise() += shared;
-      ahead.colwise() -= shared;
+      at.q.leftCols(points).colwise() += shared;
+      ahead.leftCols(points).colwise() -= shared;
     }
     equilibrium_.follow(at, ahead);
   }
 
+  /// How fast it moves, but for the flow of its periods, m/s.
+  double speed_of(const State& at) const {
+    return world_.fabric().cell ? rms(beside_flow(at).leftCols(world_.fabric().points.cols())) : rms(at.v);
+  }
   double allowed_speed(double speed) const { return spec_.absolute_speed + spec_.relative * speed; }
   double allowed_way(double speed, double h) const { return spec_.absolute + spec_.relative * h * speed; }
 
   double newton_error(double h) const {
-    const double speed = rms(begin_.at.v);
+    const double speed = speed_of(begin_.at);
     return std::min(share_of_newton * std::min(allowed_way(speed, h), d * h * allowed_speed(speed)),
                     most_of_newton * diameter_);
   }
@@ -148,8 +171,9 @@ class ImplicitSolver final : public Solver {
   void damp(Points& q, Points& v, double time) const {
     Eigen::VectorXd x = increment_.impulse(q, v).reshaped();
     equilibrium_.precondition(x);
-    v = (x.reshaped(3, q.cols()) - q) / time;
-    q = x.reshaped(3, q.cols());
+    const Points damped = increment_.spread(x.reshaped(3, x.size() / 3));
+    v = (damped - q) / time;
+    q = damped;
   }
 
   /// At most 1 for a step that may be kept. Stiff motion, which the method damps, is damped in the estimate as well:
@@ -160,15 +184,16 @@ class ImplicitSolver final : public Solver {
     };
     Points q = estimate(begin_.at.v, middle_.at.v, end_.at.v), v = estimate(begin_.a, middle_.a, end_.a);
     for (int times = 0; times < 2; ++times) damp(q, v, d * h);
-    worst_point_ = worst_column(v);
-    const double speed = std::max(rms(begin_.at.v), rms(end_.at.v));
+    worst_point_ = world_.ties().free_column(worst_column(v));
+    const double speed = std::max(speed_of(begin_.at), speed_of(end_.at));
     return std::max(rms(q) / allowed_way(speed, h), rms(v) / allowed_speed(speed));
   }
 
   /// Moves nothing by more than a hundredth of the diameter.
   double first_step() const {
     const double near = 0.01 * diameter_;
-    return std::min({near / std::max(rms(state_.v), 1e-12), std::sqrt(2 * near / std::max(rms(begin_.a), 1e-12)), 1.0});
+    return std::min(
+        {near / std::max(speed_of(state_), 1e-12), std::sqrt(2 * near / std::max(rms(begin_.a), 1e-12)), 1.0});
   }
 
   void accept(double next) {
@@ -184,7 +209,7 @@ class ImplicitSolver final : public Solver {
     Points force;
     Load load{.force = &force};
     world_.evaluate(state_, load);
-    return worst_column(force);
+    return world_.ties().free_column(worst_column(force));
   }
 
   Progress fail(const char* why, int point) {

@@ -57,11 +57,15 @@ double Increment::value(const State& at, Points* force) {
     energy += time_ * time_ / 2 * acceleration.cwiseProduct(inertia).sum();
     if (force) *force -= inertia;
   }
-  if (force && !world_.ties().empty()) {
-    *force = world_.ties().gather(*force);
-    force->rightCols<2>().array() *= world_.guide().mobility().array();
-  }
+  if (force && !world_.ties().empty()) *force = gather(*force);
   return energy;
+}
+
+/// What of a force on all columns acts on what may move.
+Points Increment::gather(const Points& force) const {
+  Points free = world_.ties().gather(force);
+  if (!world_.ties().empty()) free.rightCols<2>().array() *= world_.guide().mobility().array();
+  return free;
 }
 
 void Increment::second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness* convex) {
@@ -92,10 +96,12 @@ void Increment::second(const State& at, const Leeway& leeway, double shift, Stif
 
 Points Increment::impulse(const Points& a, const Points& b) const {
   Points sum = world_.mass().times(a + time_ * b) / (time_ * time_);
-  if (!dissipates_) return sum;
-  Eigen::VectorXd drag;
-  damping_.multiply(a.reshaped(), drag);
-  return sum + drag.reshaped(3, a.cols()) / time_;
+  if (dissipates_) {
+    Eigen::VectorXd drag;
+    damping_.multiply(a.reshaped(), drag);
+    sum += drag.reshaped(3, a.cols()) / time_;
+  }
+  return gather(sum);
 }
 
 /// Columns that follow others around an axis are pushed otherwise as the periods turn them.

@@ -20,7 +20,7 @@ class Increment {
   /// From now on qD is `lagged`.
   void lag(const State& lagged);
   /// Where a motion would be after `time` s at its old velocity (`coasting`, q1), and where it would be at none
-  /// (`from`, q0); 3 x M. Not of a periodic fabric.
+  /// (`from`, q0), by the columns of State::q. Of a periodic fabric no period may be free.
   void begin(const State& lagged, double time, Points from, Points coasting);
   /// Whether the last begin() was of a motion.
   bool has_inertia() const { return coasting_.size() > 0; }
@@ -34,7 +34,7 @@ class Increment {
   void second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness* convex);
 
   /// The right side of second() x = impulse(a, b) that has x = (I - θJ)⁻¹ (a, b), its positions, where J is the
-  /// Jacobian of the motion and (a, b) are positions and velocities.
+  /// Jacobian of the motion and (a, b) are positions and velocities of all columns; on what may move.
   Points impulse(const Points& a, const Points& b) const;
 
   /// Columns of what may move: the control points, or those of a periodic fabric that do not follow others, and its
@@ -51,6 +51,7 @@ class Increment {
 
  private:
   State moving(const State& at) const;
+  Points gather(const Points& force) const;
   void gather(Stiffness& by_all, Stiffness& by_free) const;
   void add_turning(const State& at, Stiffness& exact);
   void hold_periods(Stiffness& by_free) const;

@@ -67,6 +67,7 @@ class RungeKuttaSolver final : public Solver {
   Progress advance(double until) override {
     if (state_.t >= until) return Progress::arrived;
     if (sleepers_) review();
+    if (world_.fabric().cell && world_.guide().pace(state_, until)) begin();
     if (!stepper_->rate().allFinite()) return fail("the forces are not finite");
     if (!(state_.step > 0)) state_.step = choose_first_step();
     StepTries tries(state_.t, state_.step, until, tableau_.error_order);
@@ -139,7 +140,7 @@ class RungeKuttaSolver final : public Solver {
     effort_.failure = fmt::format(
         "two yarns are about to pass through each other at t = {:.6g} s, {}: contact cannot bear the load, and with a "
         "finer sampling bears more",
-        state_.t, whereabouts(world_, world_.fabric().first_point(segment) + 1));
+        state_.t, whereabouts(world_, world_.ties().free_column(world_.fabric().first_point(segment) + 1)));
     return Progress::failed;
   }
 
@@ -156,7 +157,8 @@ class RungeKuttaSolver final : public Solver {
     State at = state_;
     at.t = stage_.t;
     world_.accelerate(at, acceleration_, &force_);
-    effort_.failure = fmt::format("{} at t = {:.6g} s, {}", why, state_.t, whereabouts(world_, worst_column(force_)));
+    effort_.failure = fmt::format("{} at t = {:.6g} s, {}", why, state_.t,
+                                  whereabouts(world_, world_.ties().free_column(worst_column(force_))));
     return Progress::failed;
   }
 

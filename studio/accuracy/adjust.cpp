@@ -97,6 +97,8 @@ void take_edges_off(Scene& scene) {
   for (Stage& stage : scene.stages) {
     stage.hold = Hold::none;
     leave_out<Knots, Gravity>(stage);
+    // What is pulled narrows as it will, and a free period has no motion.
+    if (stage.follows_motion()) stage.solver = QuasiStatic{};
     if (!stage.tighten && !stage.strains()) stage.solver = QuasiStatic{.tolerance = 1e-4};
   }
 }

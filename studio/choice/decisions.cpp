@@ -108,7 +108,7 @@ void decide_solver(Stage& stage, const Weighing& weigh, bool periodic, double ac
   inertia.taken = inertia.estimate >= share_of_accuracy * accuracy && !periodic;
   if (inertia.taken) stage.solver = Implicit{};
   if (periodic && inertia.estimate >= share_of_accuracy * accuracy)
-    inertia.why += "; a fabric without end is not followed in time";
+    inertia.why += "; a fabric without end is followed in time only where `solver` says so";
   decisions.push_back(std::move(inertia));
 }
 

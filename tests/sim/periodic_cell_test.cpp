@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <array>
 #include <map>
 
@@ -225,6 +226,25 @@ TEST(PeriodicCell, RubsAsItsPeriodsMove) {
       EXPECT_LT(largest(by_force + damping), 1e-5 * largest(damping));
       EXPECT_GT(largest(damping.rightCols(6)), 0) << "nothing depends on how the periods move";
     }
+}
+
+/// The air flows with the periods: what only does that feels none.
+TEST(PeriodicCell, IsDraggedByHowItMovesBesideItsPeriods) {
+  const OneThread one;
+  const Cell cell({"kp", "pk"}, 1);
+  Points velocity = Points::Zero(3, cell.free.cols());
+  shake(velocity, 0.1, 8);
+  velocity.rightCols<2>().row(2).setZero();
+  velocity(1, velocity.cols() - 2) = 0;
+  Alone alone(cell, Drag{});
+  const Eigen::VectorXd force = alone.force(cell.free, velocity).reshaped();
+  const Eigen::MatrixXd by_loss = slope_of(
+      [&](const Points& v) { return Eigen::VectorXd::Constant(1, alone.potential(cell.free, v)); }, velocity, 1e-5);
+  EXPECT_LT(largest(by_loss.transpose() + force), 1e-6 * largest(force));
+  const Eigen::Matrix2d periods = cell.free.topRightCorner<2, 2>(), rate = velocity.topRightCorner<2, 2>();
+  Points flowing = Points::Zero(3, cell.free.cols());
+  flowing.topRows<2>() = rate * periods.inverse() * cell.free.topRows<2>();
+  EXPECT_LT(largest(alone.force(cell.free, flowing)), 1e-12 * largest(force));
 }
 
 struct Told {
