@@ -183,6 +183,11 @@ struct Deform {
   Part course{};  ///< the length of the course period
   Part shear{};   ///< how far the wale period leans along the courses, over its length along the wales
   Part curl{};    ///< of a fabric that may curl, its curvature itself in place of strains, 1/m
+  /// Whether both periods come to the lengths that they like.
+  bool leaves_periods_free() const {
+    const auto free = [](const Part& part) { return part.how == How::free; };
+    return free(wale) && free(course) && free(shear);
+  }
   bool operator==(const Deform&) const = default;
 };
 
@@ -212,8 +217,12 @@ struct Stage {
   bool effects_open = false;  ///< of `effects`, those that cannot matter are to be left out before it runs
   bool solver_open = false;   ///< nobody asked for this solver
 
-  /// What tightens at the periods that `deform` holds comes to its size only then.
-  bool strains() const { return pull || (deform && !tighten); }
+  /// A repeat that is kept flat, or tightened at given periods, relaxes.
+  bool strains() const {
+    const bool relaxes =
+        deform && (tighten || (deform->leaves_periods_free() && deform->curl.how != Deform::How::driven));
+    return pull || (deform && !relaxes);
+  }
   bool follows_motion() const { return !std::holds_alternative<QuasiStatic>(solver); }
   /// Then the fabric does not lie as it relaxed.
   bool grips() const { return mount || strains(); }

@@ -188,7 +188,7 @@ void StageSetup::measure_periods(const Eigen::Matrix<double, 3, 2>& on_periods, 
     row.push_back({"stress.shear", "Pa", -on_periods(0, 1) / across});
   }
   if (scene_.fabric.cell->curls != Curls::never) measure_curl(on_periods(2, 1), periods, row);
-  if (!stage_.pull && !stage_.deform) return;
+  if (!stage_.strains()) return;
   const auto before = start_.q.rightCols<2>();
   row.push_back({"strain.course", "1", periods(0, 0) / before(0, 0) - 1});
   row.push_back({"strain.wale", "1", periods(1, 1) / before(1, 1) - 1});

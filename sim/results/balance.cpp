@@ -45,7 +45,7 @@ std::vector<Balance> balances(const Results& results) {
       balance.along = stage.pull->along;
       balance.load = largest(results.samples, "force_per_wale", i);
     }
-    if (stage.deform) note_load_of_deform(results, i, balance);
+    if (stage.deform && !stage.deform->leaves_periods_free()) note_load_of_deform(results, i, balance);
     all.push_back(std::move(balance));
   }
   return all;

@@ -58,7 +58,7 @@ TEST(PeriodicMotion, KeepsItsPeriodsWhereTheyAreLed) {
   for (const double until : {each / 3, each, 2 * each}) {
     const State now = run_to(*solver, until);
     State led = now;
-    cell.world().guide().lead(led);
+    cell.world().guide().lead(*cell.world().fabric().cell, led);
     EXPECT_LT((now.q - led.q).norm(), 1e-15 * now.q.norm());
     const Ties& ties = cell.world().ties();
     EXPECT_EQ(ties.spread(ties.pick(now.q)), now.q);
@@ -80,7 +80,7 @@ TEST(PeriodicMotion, LetsTheFabricGoAlongWithItsPeriods) {
     EXPECT_FALSE(guide.pace(now, each)) << "goes already";
     State later = now;
     later.t = each;
-    guide.lead(later);
+    guide.lead(*moving.world().fabric().cell, later);
     EXPECT_LT((later.q.rightCols<2>() - now.q.rightCols<2>() - each * now.v.rightCols<2>()).norm(), 1e-15);
   }
 }

@@ -27,8 +27,9 @@ struct CellRun {
   Curls curls = Curls::never;
 };
 
-/// Tightens and relaxes a repeat, then does `last` to it. Throws std::runtime_error with the reason if that fails.
-inline Results run_cell(const CellRun& of, Stage last) {
+/// Tightens and relaxes a repeat, flat until then if that is `flat_before`, and does `last` to it. Throws
+/// std::runtime_error with the reason if that fails.
+inline Results run_cell(const CellRun& of, Stage last, bool flat_before = false) {
   CompiledChart made = compile_repeat(of.picture, of.segments_per_stitch);
   Results results;
   Scene& scene = results.scene;
@@ -40,6 +41,8 @@ inline Results run_cell(const CellRun& of, Stage last) {
   tighten.tighten = 1.0;
   tighten.samples = 2;
   relax.samples = 1;
+  if (flat_before)
+    for (Stage* stage : {&tighten, &relax}) stage->deform = Deform{.curl = {Deform::How::held, {}}};
   scene.stages = {tighten, relax, std::move(last)};
   scene.gauge.thickness = 1.048e-3;
   for (Stage& stage : scene.stages) {
