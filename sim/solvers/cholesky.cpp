@@ -12,9 +12,9 @@ namespace {
 
 // A product takes so much longer in a solve, which waits for memory, than in a factor; measured.
 constexpr double waiting_for_memory = 12;
-// Points whose factor stays in a cache, where half the values would save no time, but would lead cells of rib and seed
-// to other states of rest, of which they have several.
-constexpr int in_cache = 4000;
+// Points below which a factor stays in double precision: there is no lack of memory, and the implicit solver takes what
+// it answers as it is.
+constexpr int large = 4000;
 constexpr double much_fuller = 1.1;  // than the factor for which the order was made
 
 /// Calls act(p) for every part, each on a thread of its own if there are as many. False if any is. Throws
@@ -68,7 +68,7 @@ void Cholesky::Work::follow_pattern(const Stiffness& K) {
 /// Answers how many values the factors have.
 std::size_t Cholesky::Work::make_parts(const Stiffness& K) {
   parts.clear();
-  const Precision precision = K.points() < in_cache ? Precision::double_ : Precision::single_;
+  const Precision precision = K.points() < large ? Precision::double_ : Precision::single_;
   parts.resize(dissection->parts.size());
   each(parts.size(), [&](std::size_t p) {
     parts[p] = std::make_unique<PartFactor>(K, used, dissection->parts[p], dissection->border, precision);
