@@ -1,5 +1,6 @@
 #include "sim/results/moments.hpp"
 
+#include "sim/image.hpp"
 #include "sim/results/curves.hpp"
 
 namespace wale {
@@ -12,6 +13,13 @@ const Snapshot* relaxed_state(const Results& results) {
     if (stage.grips()) break;
   }
   return relaxed;
+}
+
+std::optional<double> relaxed_curvature(const Results& results) {
+  const auto& cell = results.scene.fabric.cell;
+  const Snapshot* relaxed = relaxed_state(results);
+  if (!cell || cell->curls == Curls::never || !relaxed) return std::nullopt;
+  return curvature(*cell, relaxed->state.q.rightCols<2>());
 }
 
 const Snapshot* pulled_state(const Results& results) {

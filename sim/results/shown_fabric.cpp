@@ -19,4 +19,13 @@ Fabric shown_fabric(const Fabric& fabric, const Gauge& gauge, const Points& q) {
   return there;
 }
 
+Points seen_along_axis(Curls curls, const Points& shown) {
+  Points seen(3, shown.cols());
+  if (curls == Curls::about_courses)
+    seen << shown.row(2), shown.row(1), -shown.row(0);
+  else
+    seen << shown.row(0), shown.row(2), -shown.row(1);
+  return seen;
+}
+
 }  // namespace wale

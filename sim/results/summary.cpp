@@ -6,6 +6,7 @@
 #include "sim/results/balance.hpp"
 #include "sim/results/curves.hpp"
 #include "sim/results/file.hpp"
+#include "sim/results/moments.hpp"
 
 namespace wale {
 namespace {
@@ -70,12 +71,15 @@ Json accuracy(const Results& results) {
           {"estimated_error", results.estimated_error ? Json(*results.estimated_error) : Json()}};
 }
 
-Json sizes(const Sizes& relaxed) {
-  return {{"course_spacing_m", relaxed.course_spacing},
-          {"wale_spacing_m", relaxed.wale_spacing},
-          {"width_m", relaxed.width},
-          {"length_m", relaxed.length},
-          {"thickness_m", relaxed.thickness}};
+Json sizes(const Results& results) {
+  const Sizes& relaxed = results.relaxed;
+  Json json{{"course_spacing_m", relaxed.course_spacing},
+            {"wale_spacing_m", relaxed.wale_spacing},
+            {"width_m", relaxed.width},
+            {"length_m", relaxed.length},
+            {"thickness_m", relaxed.thickness}};
+  if (const auto curvature = relaxed_curvature(results)) json["curvature_per_m"] = *curvature;
+  return json;
 }
 
 Json curve(const Results& results) {
@@ -105,7 +109,7 @@ std::string summary_json(const Results& results) {
                   {"solver", solver(results.effort)},
                   {"balance", balance(results)},
                   {"accuracy", accuracy(results)},
-                  {"sizes", sizes(results.relaxed)},
+                  {"sizes", sizes(results)},
                   {"curve", curve(results)},
                   {"topology",
                    {{"crossings_expected", results.topology.expected},

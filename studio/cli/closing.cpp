@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 
 #include "sim/results/balance.hpp"
+#include "sim/results/moments.hpp"
 #include "sim/results/picture.hpp"
 #include "studio/cli/complain.hpp"
 #include "studio/cli/exit_code.hpp"
@@ -19,6 +21,7 @@ struct Leaving {
 constexpr Leaving leavings[] = {{"curve.csv", "the stress-strain table"},
                                 {"curve.svg", "the same as a picture"},
                                 {"fabric_relaxed.svg", "the relaxed fabric, seen from its face"},
+                                {"fabric_curl.svg", "the same, seen along the axis about which it curls"},
                                 {"fabric_pulled.svg", "the pulled fabric, coloured by the stretch of its yarn"},
                                 {"frames.pvd", "every saved state as tubes, for ParaView"},
                                 {"results.h5", "every saved state, exactly; --resume reads it"},
@@ -31,6 +34,13 @@ std::string sizes(const Sizes& relaxed) {
       "Relaxed: {:.1f} mm wide, {:.1f} mm long, {:.2f} mm thick; a wale each {:.2f} mm, a course each {:.2f} mm\n",
       mm * relaxed.width, mm * relaxed.length, mm * relaxed.thickness, mm * relaxed.wale_spacing,
       mm * relaxed.course_spacing);
+}
+
+std::string curl(double curvature) {
+  constexpr double mm = 1e3, flat = 1;  // 1/m
+  if (std::abs(curvature) < flat) return "Curl: none\n";
+  return fmt::format("Curl: to a radius of {:.2f} mm, towards the {}\n", mm / std::abs(curvature),
+                     curvature > 0 ? "face" : "back");
 }
 
 std::string balance_words(const Results& results) {
@@ -55,6 +65,7 @@ std::string closing_words(const Results& results, const std::string& folder) {
   const Curve curve = stress_strain(results);
   if (curve.strain.size() > 1) fmt::format_to(out, "{}\n", terminal_plot(curve));
   if (results.relaxed.length > 0) fmt::format_to(out, "{}", sizes(results.relaxed));
+  if (const auto curvature = relaxed_curvature(results)) fmt::format_to(out, "{}", curl(*curvature));
   fmt::format_to(out, "Crossings: {} of {} in every saved state{}\n", results.topology.found, results.topology.expected,
                  results.topology.intact() ? "" : ": LOOPS CAME OUT, off an end of their yarn or through yarn");
   fmt::format_to(out, "{}", balance_words(results));

@@ -23,6 +23,15 @@ void write_fabric(const Results& results, const Snapshot& snapshot, ColourBy col
   write_file(path.string(), fabric_svg(shown, shown.points, options));
 }
 
+/// A fabric that curls hides behind itself from the front.
+void write_curl(const Results& results, const Snapshot& snapshot, const fs::path& path) {
+  const Scene& scene = results.scene;
+  const Fabric shown = shown_fabric(scene.fabric, scene.gauge, snapshot.state.q);
+  const PictureOptions options{
+      scene.name + ", along its axis", ColourBy::material, rest_lengths_at(scene, snapshot), {}, 900};
+  write_file(path.string(), fabric_svg(shown, seen_along_axis(scene.fabric.cell->curls, shown.points), options));
+}
+
 }  // namespace
 
 void prepare_folder(const fs::path& folder) {
@@ -44,8 +53,10 @@ void write_tables(const Results& results, const fs::path& folder) {
 
 void write_pictures(const Results& results, const fs::path& folder) {
   const std::string& name = results.scene.name;
-  if (const Snapshot* relaxed = relaxed_state(results))
+  if (const Snapshot* relaxed = relaxed_state(results)) {
     write_fabric(results, *relaxed, ColourBy::material, name + ", relaxed", folder / "fabric_relaxed.svg");
+    if (relaxed_curvature(results)) write_curl(results, *relaxed, folder / "fabric_curl.svg");
+  }
   if (const Snapshot* pulled = pulled_state(results))
     write_fabric(results, *pulled, ColourBy::stretch, name + ", pulled", folder / "fabric_pulled.svg");
   const std::vector<LabelledCurve> curves = stress_strain_curves(results);

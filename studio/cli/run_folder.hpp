@@ -19,7 +19,7 @@ void write_snapshots(const Results&, const std::filesystem::path& folder);
 /// curve.csv, summary.json and results.h5.
 void write_tables(const Results&, const std::filesystem::path& folder);
 
-/// frames.pvd with frames/*.vtp, fabric_relaxed.svg, fabric_pulled.svg, curve.svg.
+/// frames.pvd with frames/*.vtp, fabric_relaxed.svg, fabric_pulled.svg, fabric_curl.svg, curve.svg.
 void write_pictures(const Results&, const std::filesystem::path& folder);
 
 }  // namespace wale
