@@ -69,9 +69,9 @@ enum class Curls : std::uint8_t {
 };
 
 /// One repeat of a fabric without end: everything in it comes again after each period. Every yarn goes on by the course
-/// period, so that its last three control points are its first three, one course period on (around the axis, if it
-/// curls about its wales). tile() lays several repeats
-/// side by side; Scene::crossings of such a fabric are segments of a tile.
+/// period, so that its last three control points are its first three, one course period on (around the axis, if the
+/// fabric curls about its wales). tile() lays several repeats side by side; Scene::crossings of such a fabric are
+/// segments of a tile.
 struct PeriodicCell {
   Vec3 course = Vec3::Zero();  ///< from a stitch to the same one a repeat to its right, m
   Vec3 wale = Vec3::Zero();    ///< from a stitch to the same one a repeat above, m

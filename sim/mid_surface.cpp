@@ -5,9 +5,6 @@
 namespace wale {
 namespace {
 
-constexpr int most_shifts = 20;
-constexpr double no_height = 1e-17;  // m
-
 /// Of one place: h = (1 - ρ) / κ with its distance ρ / κ from the axis, and its slopes.
 struct Height {
   Height(const Vec3& place, const Cylinder& on) {
@@ -51,12 +48,10 @@ Points MidSurface::slope(const Points& q) const {
 }
 
 void MidSurface::settle(Points& q) const {
-  for (int shift = 0; shift < most_shifts; ++shift) {
-    const double off = height(q);
-    if (!(std::abs(off) > no_height)) return;
-    const Points by = slope(q);
-    q.row(2).head(q.cols() - 2).array() -= off / by.row(2).head(q.cols() - 2).sum();
-  }
+  const Cylinder on = cylinder(cell_, q.rightCols<2>());
+  Points flat = rolled_out(cell_, q);
+  flat.row(2).array() -= height(q);
+  for (Eigen::Index k = 0; k + 2 < q.cols(); ++k) q.col(k) = rolled_up(flat.col(k), on);
 }
 
 }  // namespace wale

@@ -17,7 +17,7 @@ class MidSurface {
   double height(const Points& q) const;
   /// Derivative by the columns of State::q.
   Points slope(const Points& q) const;
-  /// Shifts the fabric along z to where the height is 0.
+  /// Moves the fabric towards its axis, or from it, to where the height is 0.
   void settle(Points& q) const;
 
  private:

@@ -162,7 +162,7 @@ std::vector<Quantity> StageSetup::measure(World& world, const State& state) cons
   if (flows)
     measure_periods(force_on_flow(total, state, world.mass()), state, row);
   else if (scene_.fabric.cell)
-    measure_periods(world.ties().gather(total).rightCols<2>(), state, row);
+    measure_periods(world.beside_mid_surface(world.ties().gather(total)).rightCols<2>(), state, row);
   else if (gripped())
     measure_grips(grip_load, state.t, row);
   return row;
@@ -188,7 +188,7 @@ void StageSetup::measure_periods(const Eigen::Matrix<double, 3, 2>& on_periods, 
     row.push_back({"stress.shear", "Pa", -on_periods(0, 1) / across});
   }
   if (scene_.fabric.cell->curls != Curls::never) measure_curl(on_periods(2, 1), periods, row);
-  if (!stage_.strains()) return;
+  if (!stage_.strains() || (stage_.deform && stage_.deform->leaves_periods_free())) return;
   const auto before = start_.q.rightCols<2>();
   row.push_back({"strain.course", "1", periods(0, 0) / before(0, 0) - 1});
   row.push_back({"strain.wale", "1", periods(1, 1) / before(1, 1) - 1});
@@ -203,7 +203,7 @@ void StageSetup::measure_periods(const Eigen::Matrix<double, 3, 2>& on_periods, 
   row.push_back({"stress", "Pa", load / (wale_wise ? across : up)});
 }
 
-/// The moment is that about the courses on a length of fabric along them, from the force conjugate to the curvature.
+/// The moment is that about the axis on a length of fabric along it, from the force conjugate to the curvature.
 void StageSetup::measure_curl(double force, const Periods& periods, std::vector<Quantity>& row) const {
   const PeriodicCell& cell = *scene_.fabric.cell;
   row.push_back({"curvature", "1/m", curvature(cell, periods)});

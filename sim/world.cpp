@@ -1,7 +1,9 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "sim/effects/beads.hpp"
 #include "sim/tile.hpp"
@@ -45,7 +47,8 @@ void World::prepare(const State& state, Acting which) {
 }
 
 void World::hold_mid_surface(const Points& q) {
-  Points row = ties_.gather(mid_surface_->slope(q));
+  height_slope_ = ties_.gather(mid_surface_->slope(q));
+  Points row = height_slope_;
   row.rightCols<2>().array() *= guide_.mobility().array();
   constraints_.hold_only(row);
 }
@@ -53,6 +56,20 @@ void World::hold_mid_surface(const Points& q) {
 void World::forget() {
   for (auto* made : {&parts_.made_beads, &parts_.made_lagged_beads})
     for (auto& [setting, beads] : *made) beads->forget_list();
+}
+
+Points World::beside_mid_surface(const Points& force) const {
+  if (!mid_surface_) return force;
+  const auto points = force.cols() - 2;
+  const auto by = height_slope_.leftCols(points);
+  return force - by.cwiseProduct(force.leftCols(points)).sum() / by.squaredNorm() * height_slope_;
+}
+
+bool World::fits_around(const State& state) const {
+  if (!mid_surface_) return true;
+  const Cylinder on = cylinder(*fabric_.cell, state.q.rightCols<2>());
+  const double bent = state.q.rightCols<2>()(on.around, on.around);
+  return std::abs(on.curvature * bent) < std::numbers::pi;
 }
 
 bool World::dissipates() const {

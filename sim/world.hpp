@@ -71,6 +71,11 @@ class World {
   const Mass& mass() const { return mass_; }
   /// Those of a fabric that curls hold its mid-surface, as it was at the last prepare() of what is elastic.
   const Constraints& constraints() const { return constraints_; }
+  /// A force on what may move without what holds its mid-surface, of a fabric that curls and rests, at the last
+  /// prepare(): then none is left on yarn, and that on the periods is conjugate to them with the mid-surface kept, N.
+  Points beside_mid_surface(const Points& force) const;
+  /// Whether a repeat of a fabric that curls stays within half a turn about its axis.
+  bool fits_around(const State& state) const;
   /// Brings a state of a fabric that curls, after it has moved, back to where its mid-surface is held, and what follows
   /// along.
   void settle(State& state) const {
@@ -97,6 +102,7 @@ class World {
   std::vector<std::uint8_t> held_;         // by control point; empty: none is
   std::optional<Mass> moving_mass_{};      // of the others, if some are held
   std::optional<MidSurface> mid_surface_;  // of a fabric that curls
+  Points height_slope_;                    // of its height by what may move
   Constraints constraints_;
   std::vector<std::unique_ptr<Effect>> effects_;
   const std::atomic<bool>* interrupt_ = nullptr;

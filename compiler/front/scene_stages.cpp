@@ -124,16 +124,25 @@ class StageReader {
     if (curl && !curls_)
       say_.error("S010", curl->span, "this fabric is flat, and has no curl",
                  "write `curl: about_courses` in `fabric`, or leave it out");
-    const bool plates = std::any_of(stage_.effects.begin(), stage_.effects.end(),
-                                    [](const EffectSpec& effect) { return std::holds_alternative<Plates>(effect); });
-    if (plates && curls_)
-      say_.error("S010", {node_.span.source, node_.span.begin, node_.span.begin},
-                 "plates keep a fabric flat, and this one may curl",
-                 "leave out `plates`, or `curl`: a periodic fabric without it is flat");
-    if (curls_ && stage_.follows_motion())
-      say_.error("S010", {node_.span.source, node_.span.begin, node_.span.begin},
-                 "a fabric that may curl goes from equilibrium to equilibrium only",
-                 "write `solver: quasi_static`, or leave out `curl`");
+    if (!curls_) return;
+    if (acts<Plates>())
+      refuse_curled("plates keep a fabric flat, and this one may curl", "leave out `plates`, or `curl`");
+    if (acts<Drag>())
+      refuse_curled("drag is against the flow of flat periods, and this fabric may curl",
+                    "leave out `drag`, or `curl`");
+    if (stage_.follows_motion())
+      refuse_curled("a fabric that may curl goes from equilibrium to equilibrium only",
+                    "write `solver: quasi_static`, or leave out `curl`");
+  }
+
+  template <class E>
+  bool acts() const {
+    return std::any_of(stage_.effects.begin(), stage_.effects.end(),
+                       [](const EffectSpec& effect) { return std::holds_alternative<E>(effect); });
+  }
+
+  void refuse_curled(std::string_view what, std::string_view hint) {
+    say_.error("S010", {node_.span.source, node_.span.begin, node_.span.begin}, std::string(what), std::string(hint));
   }
 
   /// A free period goes where it bears nothing: without mass it would follow at once whatever moves.

@@ -85,9 +85,7 @@ void check_together(const std::vector<DrivenPart>& driven, Diagnostics& say) {
     return;
   }
   for (std::size_t k = 0; k < first.strains->size(); ++k) {
-    if (!std::all_of(driven.begin(), driven.end(),
-                     [k](const DrivenPart& part) { return part.rests(k); }))
-      continue;
+    if (!std::all_of(driven.begin(), driven.end(), [k](const DrivenPart& part) { return part.rests(k); })) continue;
     say.error("S011", place(*first.node, k), "the strain is there already",
               std::string(each_differs) + "; `held` keeps a period as it is");
     return;
@@ -128,7 +126,8 @@ Deform read_deform(const YamlNode& node, Diagnostics& say) {
     const YamlNode* given = fields.find(key);
     if (!given) return;
     part = read_part(*given, key, range, dimension, say);
-    if (part.how == Deform::How::driven && !part.strains.empty()) driven.push_back({given, key, &part.strains, &part != &deform.curl});
+    if (part.how == Deform::How::driven && !part.strains.empty())
+      driven.push_back({given, key, &part.strains, &part != &deform.curl});
   };
   read("wale", period_strain, deform.wale);
   read("course", period_strain, deform.course);

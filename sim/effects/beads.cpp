@@ -14,7 +14,7 @@ namespace wale {
 namespace {
 
 // Of a fabric that curls: how much less than the mid-surface yarn may measure on the side of the axis, and how far
-// around images may be, as the fabric does not meet itself behind the axis.
+// around images may be, as the fabric does not meet itself behind the axis. The next repeat is nearer than that.
 constexpr double least_shortening = 0.2, half_turn = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

@@ -93,8 +93,10 @@ class BetweenYarns final : public Effect {
       gather(some, blocks, places, second);
       for (std::size_t m = 0; m < 2; ++m)
         if (second[m] && beads_->images().size() > 1) {
-          gather_periods(some, blocks, m, *second[m]);
-          gather_turned(some, blocks, slopes, at.q, m, *second[m]);
+          if (beads_->turned(1))
+            gather_turned(some, blocks, slopes, at.q, m, *second[m]);
+          else
+            gather_periods(some, blocks, m, *second[m]);
         }
     }
   }
@@ -300,7 +302,7 @@ class BetweenYarns final : public Effect {
                       Stiffness& out) const {
     const std::vector<int>& places = period_places_in(out);
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-      if (pair_of(contacts[c]).image == 0 || beads_->turned(pair_of(contacts[c]))) continue;
+      if (pair_of(contacts[c]).image == 0) continue;
       const Eigen::Vector2d image = image_of(contacts[c]);
       auto place =
           places.begin() + static_cast<std::ptrdiff_t>((contacts[c].pair - beads_->plain_pairs()) * period_blocks);

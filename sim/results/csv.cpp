@@ -49,6 +49,15 @@ std::vector<std::size_t> pressed_rows(const Table& table) {
   return rows;
 }
 
+/// Of the last stage of a fabric that curls.
+std::vector<std::size_t> bent_rows(const Table& table) {
+  const Column *stage = table.find("stage"), *curvature = table.find("curvature");
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; stage && curvature && row < table.rows(); ++row)
+    if (stage->values[row] == stage->values.back()) rows.push_back(row);
+  return rows;
+}
+
 /// A stage that deforms has strains and stresses by direction, and no one strain, stress and force; one that only
 /// presses has its time.
 std::vector<Printed> printed_columns(const Table& table, const std::vector<std::size_t>& rows) {
@@ -84,6 +93,7 @@ std::vector<Printed> printed_columns(const Table& table, const std::vector<std::
 std::string curve_csv(const Results& results) {
   std::vector<std::size_t> rows = strained_rows(results.samples);
   if (rows.empty()) rows = pressed_rows(results.samples);
+  if (rows.empty()) rows = bent_rows(results.samples);
   const std::vector<Printed> columns = printed_columns(results.samples, rows);
   std::string text;
   for (const Printed& column : columns) text += (text.empty() ? "" : ",") + column.name;

@@ -37,6 +37,8 @@ void describe_cell(const Reader& in, std::optional<PeriodicCell>& cell) {
   cell = PeriodicCell{periods.col(0), periods.col(1)};
   long curls = 0;
   if (in.group().has("curls")) in.value("curls", curls);
+  if (curls < 0 || curls > static_cast<long>(Curls::about_wales))
+    throw std::runtime_error("HDF5 file has a fabric that curls as none does");
   cell->curls = static_cast<Curls>(curls);
 }
 

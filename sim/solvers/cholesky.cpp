@@ -101,7 +101,12 @@ bool Cholesky::Work::factor_border(const Stiffness& K, double shift) {
 bool Cholesky::factor(const Stiffness& K, double shift) {
   Work& work = *work_;
   work.is_factored = false;
-  work.follow_pattern(K);
+  try {
+    work.follow_pattern(K);
+  } catch (const std::bad_alloc&) {
+    forget();  // what is half made
+    throw;
+  }
   work.border.resize(0, 0);
   work.left.resize(work.parts.size());
   work.is_factored = each(work.parts.size(), [&](std::size_t p) {

@@ -62,6 +62,7 @@ bool Equilibrium::stays_apart(const State& from, const Points& move) {
   for (int look = 1; look <= looks; ++look) {
     between.q = from.q;
     increment_.move(between, move * (static_cast<double>(look) / looks));
+    if (!world_.fits_around(between)) return false;
     increment_.prepare(between);
     if (!(clearance_at(between) >= enough)) return false;
   }

@@ -21,9 +21,8 @@ void eliminate(const Value* values, int width, int height, double* x) {
 /// own := L⁻ᵀ (own - Mᵀ rest).
 template <class Value>
 void substitute(const Value* values, int width, int height, double* x) {
-  values += 3 * (width / 3 - 1) * static_cast<std::ptrdiff_t>(height);
-  for (int j = width - 3; j >= 0; j -= 3, values -= 3 * height) {
-    const Value *a = values, *b = a + height, *c = b + height;
+  for (int j = width - 3; j >= 0; j -= 3) {
+    const Value *a = values + j * static_cast<std::ptrdiff_t>(height), *b = a + height, *c = b + height;
     double first = 0, second = 0, third = 0;
 #pragma omp simd reduction(+ : first, second, third)
     for (int i = j + 3; i < height; ++i) {

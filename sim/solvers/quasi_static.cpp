@@ -37,6 +37,7 @@ class QuasiStaticSolver final : public Solver {
       const double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
       const bool changes = load_changes(target);
       State next = guess(target, changes);
+      if (!world_.fits_around(next)) return fail_to_bend(target);
       increment_.begin(next, target - state_.t, state_.q);
       if (balance(next)) return accept(std::move(next), until);
       if (world_.interrupted()) return Progress::stepped;
@@ -143,6 +144,14 @@ class QuasiStaticSolver final : public Solver {
     residual_ = equilibrium_.residual();
     ++effort_.accepted;
     return state_.t >= until ? Progress::arrived : Progress::stepped;
+  }
+
+  Progress fail_to_bend(double target) {
+    effort_.failure = fmt::format(
+        "at load parameter {:.6g} a repeat would go half a turn around the axis about which the fabric curls: take a "
+        "smaller repeat, or bend it less",
+        target);
+    return Progress::failed;
   }
 
   Progress fail() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "compiler/passes/interpolate.hpp"
+#include "sim/image.hpp"
 #include "sim/spline.hpp"
 
 namespace wale {
@@ -33,9 +34,7 @@ Points lay(const AlongYarn& from, const Points& q, const AlongYarn& to, const Fa
   return interpolate(through, from.at(q, 0).dy * first, from.at(q, 1).dy * last);
 }
 
-}  // namespace
-
-Points resampled(const Fabric& from, const Points& q, const Fabric& to) {
+Points resampled_as_it_lies(const Fabric& from, const Points& q, const Fabric& to) {
   const Eigen::Index periods = to.cell ? 2 : 0;
   Points laid(3, to.points.cols() + periods);
   for (std::size_t i = 0; i < to.yarns.size(); ++i) {
@@ -44,6 +43,22 @@ Points resampled(const Fabric& from, const Points& q, const Fabric& to) {
   }
   laid.rightCols(periods) = q.rightCols(periods);
   return laid;
+}
+
+/// Around an axis a yarn goes on by a turn, rolled out by a shift.
+Points resampled_flat(const Fabric& from, const Points& q, const Fabric& to) {
+  const Cylinder on = cylinder(*from.cell, q.rightCols<2>());
+  Points laid = resampled_as_it_lies(from, rolled_out(*from.cell, q), to);
+  for (Eigen::Index k = 0; k + 2 < laid.cols(); ++k) laid.col(k) = rolled_up(laid.col(k), on);
+  laid(2, laid.cols() - 1) = on.curvature * curl_unit(*to.cell);
+  return laid;
+}
+
+}  // namespace
+
+Points resampled(const Fabric& from, const Points& q, const Fabric& to) {
+  if (to.cell && to.cell->curls != Curls::never) return resampled_flat(from, q, to);
+  return resampled_as_it_lies(from, q, to);
 }
 
 }  // namespace wale

@@ -77,7 +77,7 @@ void set_effects(Stage& stage, const Resolution& to, double diameter) {
         },
         effect);
     auto* friction = std::get_if<Friction>(&effect);
-    if (friction && stage.strains())
+    if (friction && strain_path(stage) > 0)
       friction->threshold = to.friction_threshold * strain_path(stage) / stage.duration * diameter;
   }
 }

@@ -37,16 +37,12 @@ TEST(MidSurface, HasTheSlopesOfItsHeight) {
   }
 }
 
-TEST(MidSurface, IsSettledByAShift) {
+TEST(MidSurface, IsSettledAlongItsNormals) {
   const MidSurface surface(cell, weights);
   for (const double curvature : curvatures) {
-    const Points before = with(curvature, 0.2e-3);
-    Points q = before;
+    Points q = with(curvature, 0.2e-3);
     surface.settle(q);
-    EXPECT_NEAR(surface.height(q), 0, 1e-16) << curvature;
-    const Points shift = q - before;
-    for (int k = 1; k < 4; ++k) EXPECT_LT((shift.col(k) - shift.col(0)).norm(), 1e-17);
-    EXPECT_EQ(Points(shift.rightCols<2>()), Points::Zero(3, 2));
+    EXPECT_LT((q - with(curvature, 0)).norm(), 1e-16) << curvature;
   }
 }
 
