@@ -5,8 +5,9 @@
 
 namespace wale {
 
-/// The mean height of the yarn over the surface that the periods and the curvature are those of. Further from the axis
-/// the same fabric has a longer wale period and less curvature, so that these say something only while it is 0.
+/// The mean height of the yarn's control points over the surface that the periods and the curvature are those of.
+/// Further from the axis the same fabric has a longer wale period and less curvature, so that these say something only
+/// while it is 0.
 class MidSurface {
  public:
   /// `weights`: how much each column of State::q counts; those of the periods do not, nor should those that follow
