@@ -45,7 +45,8 @@ std::vector<Balance> balances(const Results& results) {
       balance.along = stage.pull->along;
       balance.load = largest(results.samples, "force_per_wale", i);
     }
-    if (stage.deform && !stage.deform->leaves_periods_free()) note_load_of_deform(results, i, balance);
+    const bool only_bends = stage.deform && stage.strains() && stage.deform->leaves_periods_free();
+    if (stage.deform && !only_bends) note_load_of_deform(results, i, balance);
     all.push_back(std::move(balance));
   }
   return all;

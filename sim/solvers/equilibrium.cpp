@@ -60,8 +60,8 @@ bool Equilibrium::stays_apart(const State& from, const Points& move) {
   const int looks = 1 + static_cast<int>(std::ceil(uneven_motion(from.q, move) / (furthest_unseen * thickness_)));
   State between = from;
   for (int look = 1; look <= looks; ++look) {
-    between.q = from.q;
-    increment_.move(between, move * (static_cast<double>(look) / looks));
+    between.q = from.q + move * (static_cast<double>(look) / looks);
+    world_.settle(between);
     if (!world_.fits_around(between)) return false;
     increment_.prepare(between);
     if (!(clearance_at(between) >= enough)) return false;
@@ -81,7 +81,8 @@ void Equilibrium::follow(State& state, const Points& move) {
   if (share == 0) return;
   for (double step = std::min(1.0, 1 / share); step > 0.01; step /= 2) {
     if (stays_apart(state, step * move)) {
-      increment_.move(state, step * move);
+      state.q += step * move;
+      world_.settle(state);
       return;
     }
     increment_.prepare(state);
@@ -160,7 +161,8 @@ Equilibrium::Trial Equilibrium::attempt(const State& from, const Eigen::VectorXd
   Trial trial{from, std::numeric_limits<double>::infinity(), {}};
   const Points by = increment_.spread(move.reshaped(3, move.size() / 3));
   if (!stays_apart(from, by)) return trial;
-  increment_.move(trial.state, by);
+  trial.state.q += by;
+  world_.settle(trial.state);
   trial.energy = evaluate(trial.state, &trial.force, effort);
   return trial;
 }
@@ -201,7 +203,8 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
     }
     const Step step = downhill(now.force);
     if (!step.limited && furthest(step.move) < goal.move) {
-      increment_.move(state, increment_.spread(step.move.reshaped(3, step.move.size() / 3)));
+      state.q += increment_.spread(step.move.reshaped(3, step.move.size() / 3));
+      world_.settle(state);
       return Answer::found;
     }
     Trial trial = attempt(now.state, step.move, effort);

@@ -42,11 +42,6 @@ class Increment {
   int points() const { return world_.ties().free_columns(); }
   /// The motion of all control points that goes with one of what may move.
   Points spread(const Points& move) const { return world_.ties().spread(move); }
-  /// Moves the control points of a state.
-  void move(State& state, const Points& by) const {
-    state.q += by;
-    world_.settle(state);
-  }
   World& world() { return world_; }
 
  private:
