@@ -331,7 +331,8 @@ class BetweenYarns final : public Effect {
       if (!image) continue;
       if (!places) places = &turned_places_in(out);
       const Quad points = q.middleCols<4>(parts_.fabric.first_point(pair.b));
-      ByMovers by_movers = moved_by(*image, points).transpose() * whole(blocks[c], which) * moved_by(*image, points);
+      const MovedBy moved = moved_by(*image, points);
+      ByMovers by_movers = moved.transpose() * whole(blocks[c], which) * moved;
       if (L::elastic && which == 0) subtract_turning(*image, points, slopes[c].on_b, by_movers);
       add_by_movers(pair, by_movers, places->begin() + place_of_turned(contacts[c].pair), out);
     }

@@ -12,9 +12,6 @@ namespace {
 
 // A product takes so much longer in a solve, which waits for memory, than in a factor; measured.
 constexpr double waiting_for_memory = 12;
-// Points below which a factor stays in double precision: there is no lack of memory, and the implicit solver takes what
-// it answers as it is.
-constexpr int large = 4000;
 constexpr double much_fuller = 1.1;  // than the factor for which the order was made
 
 /// Calls act(p) for every part, each on a thread of its own if there are as many. False if any is. Throws
@@ -68,7 +65,8 @@ void Cholesky::Work::follow_pattern(const Stiffness& K) {
 /// Answers how many values the factors have.
 std::size_t Cholesky::Work::make_parts(const Stiffness& K) {
   parts.clear();
-  const Precision precision = K.points() < large ? Precision::double_ : Precision::single_;
+  // The implicit solver takes what a solve answers as it is, and small matrices lack no memory.
+  const Precision precision = K.points() < many_points ? Precision::double_ : Precision::single_;
   parts.resize(dissection->parts.size());
   each(parts.size(), [&](std::size_t p) {
     parts[p] = std::make_unique<PartFactor>(K, used, dissection->parts[p], dissection->border, precision);

@@ -77,4 +77,15 @@ inline cholmod_sparse lower_triangle(std::vector<int>& starts, std::vector<int>&
   return a;
 }
 
+/// The order in which CHOLMOD eliminates a pattern by the method `ordering`, and then branch by branch. Throws
+/// std::bad_alloc.
+inline std::vector<int> order_of(cholmod_sparse pattern, int ordering) {
+  Common common;
+  common->supernodal = CHOLMOD_SIMPLICIAL;  // only the order is wanted
+  common->method[0].ordering = ordering;
+  const Factor factor = common.analyse(pattern);
+  const auto* order = static_cast<const int*>(factor->Perm);
+  return {order, order + pattern.nrow};
+}
+
 }  // namespace wale::cholmod

@@ -9,7 +9,6 @@
 namespace wale {
 namespace {
 
-constexpr int many = 4000;             // points, from which a border costs less than a second thread saves
 constexpr double least_part = 0.3;     // of the points, in the smaller of two parts
 constexpr double widest_border = 0.2;  // of the points
 
@@ -28,16 +27,6 @@ Graph graph_of(const Stiffness& K, const UsedBlocks& used) {
     graph.start.push_back(static_cast<int>(graph.row.size()));
   }
   return graph;
-}
-
-std::vector<int> by_minimum_degree(Graph& graph) {
-  cholmod::Common common;
-  common->supernodal = CHOLMOD_SIMPLICIAL;  // only the order is wanted
-  common->method[0].ordering = CHOLMOD_AMD;
-  cholmod_sparse view = graph.view();
-  const cholmod::Factor factor = common.analyse(view);
-  const auto* order = static_cast<const int*>(factor->Perm);
-  return {order, order + view.nrow};
 }
 
 /// A tree of separators: each component parts those below it.
@@ -106,7 +95,7 @@ bool is_balanced(const Dissection& halves) {
 
 Dissection dissect(const Stiffness& K, const UsedBlocks& used) {
   Graph graph = graph_of(K, used);
-  if (K.points() < many) return {{by_minimum_degree(graph)}, {}};
+  if (K.points() < many_points) return {{cholmod::order_of(graph.view(), CHOLMOD_AMD)}, {}};
   SeparatorTree tree = nested(graph);
   Dissection found = halves(tree);
   if (!is_balanced(found)) return {{std::move(tree.order)}, {}};

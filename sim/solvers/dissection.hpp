@@ -7,6 +7,9 @@
 
 namespace wale {
 
+/// From so many points on a matrix is large: a border costs less than a second thread saves, and memory is short.
+inline constexpr int many_points = 4000;
+
 /// Points in parts between which there is no block, and a border that has blocks with all of them.
 struct Dissection {
   std::vector<std::vector<int>> parts;  ///< first eliminated first

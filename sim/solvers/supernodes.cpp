@@ -36,14 +36,8 @@ struct Graph {
 /// same rows are neighbours, and little that waits is held at a time.
 std::vector<int> branch_by_branch(const Stiffness& K, const UsedBlocks& used, const std::vector<int>& part) {
   Graph graph(K, used, part);
-  cholmod::Common common;
-  common->supernodal = CHOLMOD_SIMPLICIAL;  // only the order is wanted
-  common->method[0].ordering = CHOLMOD_NATURAL;
-  cholmod_sparse view = graph.view();
-  const cholmod::Factor factor = common.analyse(view);
-  const auto* places = static_cast<const int*>(factor->Perm);
   std::vector<int> order;
-  for (std::size_t k = 0; k < part.size(); ++k) order.push_back(part[index(places[k])]);
+  for (const int place : cholmod::order_of(graph.view(), CHOLMOD_NATURAL)) order.push_back(part[index(place)]);
   return order;
 }
 

@@ -175,6 +175,19 @@ TEST(PeriodicCell, HasTheSlopesOfItsEnergyWhenItIsBent) {
         }
 }
 
+/// Answers the damping.
+Eigen::MatrixXd expect_slopes_of_loss(Alone& alone, const Points& free, const Points& velocity) {
+  const Eigen::VectorXd force = alone.force(free, velocity).reshaped();
+  const Eigen::MatrixXd by_loss =
+      slope_of([&](const Points& v) { return Eigen::VectorXd::Constant(1, alone.potential(free, v)); }, velocity, 1e-5);
+  EXPECT_LT(largest(by_loss.transpose() + force), 1e-6 * largest(force));
+  Eigen::MatrixXd damping = alone.second(free, velocity, false);
+  const Eigen::MatrixXd by_force =
+      slope_of([&](const Points& v) -> Eigen::VectorXd { return alone.force(free, v).reshaped(); }, velocity, 1e-5);
+  EXPECT_LT(largest(by_force + damping), 1e-5 * largest(damping));
+  return damping;
+}
+
 TEST(PeriodicCell, RubsAsItBends) {
   const OneThread one;
   for (const auto& picture : repeats)
@@ -183,14 +196,7 @@ TEST(PeriodicCell, RubsAsItBends) {
       Points velocity = Points::Zero(3, cell.free.cols());
       shake(velocity, 0.1, 8);
       Alone alone(cell, Friction{.threshold = 1});
-      const Eigen::VectorXd force = alone.force(cell.free, velocity).reshaped();
-      const Eigen::MatrixXd by_loss = slope_of(
-          [&](const Points& v) { return Eigen::VectorXd::Constant(1, alone.potential(cell.free, v)); }, velocity, 1e-5);
-      EXPECT_LT(largest(by_loss.transpose() + force), 1e-6 * largest(force));
-      const Eigen::MatrixXd damping = alone.second(cell.free, velocity, false);
-      const Eigen::MatrixXd by_force = slope_of(
-          [&](const Points& v) -> Eigen::VectorXd { return alone.force(cell.free, v).reshaped(); }, velocity, 1e-5);
-      EXPECT_LT(largest(by_force + damping), 1e-5 * largest(damping));
+      const Eigen::MatrixXd damping = expect_slopes_of_loss(alone, cell.free, velocity);
       EXPECT_GT(largest(damping.rightCols(1)), 0) << "nothing depends on how it bends";
     }
 }
@@ -215,14 +221,7 @@ TEST(PeriodicCell, RubsAsItsPeriodsMove) {
       Points velocity = Points::Zero(3, cell.free.cols());
       shake(velocity, 0.1, 8);
       Alone alone(cell, Friction{.threshold = threshold});
-      const Eigen::VectorXd force = alone.force(cell.free, velocity).reshaped();
-      const Eigen::MatrixXd by_loss = slope_of(
-          [&](const Points& v) { return Eigen::VectorXd::Constant(1, alone.potential(cell.free, v)); }, velocity, 1e-5);
-      EXPECT_LT(largest(by_loss.transpose() + force), 1e-6 * largest(force));
-      const Eigen::MatrixXd damping = alone.second(cell.free, velocity, false);
-      const Eigen::MatrixXd by_force = slope_of(
-          [&](const Points& v) -> Eigen::VectorXd { return alone.force(cell.free, v).reshaped(); }, velocity, 1e-5);
-      EXPECT_LT(largest(by_force + damping), 1e-5 * largest(damping));
+      const Eigen::MatrixXd damping = expect_slopes_of_loss(alone, cell.free, velocity);
       EXPECT_GT(largest(damping.rightCols(6)), 0) << "nothing depends on how the periods move";
     }
 }
