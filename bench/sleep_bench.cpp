@@ -8,6 +8,7 @@
 #include <map>
 
 #include "sim/solver.hpp"
+#include "sim/solvers/clearance.hpp"
 #include "tests/support/resting_jersey.hpp"
 
 namespace wale {
@@ -35,8 +36,6 @@ Followed follow(const RestingJersey& of, const EffectSpec& striker, double sleep
   return {solver->state(), solver->effort(), static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC};
 }
 
-double furthest(const Points& a, const Points& b) { return (a - b).colwise().norm().maxCoeff(); }
-
 /// Arguments: stitches each way, threshold in 1e-5, whether it is a ball.
 void strike(benchmark::State& bench) {
   omp_set_num_threads(1);
@@ -49,7 +48,8 @@ void strike(benchmark::State& bench) {
     bench.counters["faster"] = all.seconds / some.seconds;
     bench.counters["seconds_without"] = all.seconds;
     bench.counters["spared"] = some.effort.spared / static_cast<double>(some.effort.evaluations);
-    bench.counters["off_of_way"] = furthest(all.state.q, some.state.q) / furthest(all.state.q, of.state().q);
+    bench.counters["off_of_way"] =
+        largest_motion(all.state.q, some.state.q) / largest_motion(all.state.q, of.state().q);
   }
 }
 BENCHMARK(strike)

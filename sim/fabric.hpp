@@ -76,6 +76,7 @@ struct PeriodicCell {
   Vec3 course = Vec3::Zero();  ///< from a stitch to the same one a repeat to its right, m
   Vec3 wale = Vec3::Zero();    ///< from a stitch to the same one a repeat above, m
   Curls curls = Curls::never;
+  bool may_curl() const { return curls != Curls::never; }
 };
 
 struct Fabric {

@@ -33,9 +33,9 @@ std::optional<Crossed> crossing(const Vec3& a, const Vec3& b, const Vec3& c, con
   return Crossed{turn > 0, a.z() + s * u.z() > c.z() + t * v.z()};
 }
 
-bool apart(const Vec3& a, const Vec3& b, double low_x, double high_x, double low_y, double high_y) {
-  return std::max(a.x(), b.x()) < low_x || std::min(a.x(), b.x()) > high_x || std::max(a.y(), b.y()) < low_y ||
-         std::min(a.y(), b.y()) > high_y;
+/// Whether what lies between `low` and `high` lies beside what lies between the others, as the viewer sees them.
+bool apart(const Vec3& low, const Vec3& high, const Vec3& other_low, const Vec3& other_high) {
+  return high.x() < other_low.x() || low.x() > other_high.x() || high.y() < other_low.y() || low.y() > other_high.y();
 }
 
 template <class Visit>
@@ -43,10 +43,12 @@ void for_each_crossing(const Points& a, const Points& b, const Vec3& along, cons
   const Points p = turned(a, along), q = turned(b, along);
   const Vec3 low = q.rowwise().minCoeff(), high = q.rowwise().maxCoeff();
   for (Eigen::Index i = 1; i < p.cols(); ++i) {
-    const Vec3 from = p.col(i - 1), to = p.col(i);
-    if (apart(from, to, low.x(), high.x(), low.y(), high.y())) continue;
-    for (Eigen::Index j = 1; j < q.cols(); ++j)
+    const Vec3 from = p.col(i - 1), to = p.col(i), near = from.cwiseMin(to), far = from.cwiseMax(to);
+    if (apart(near, far, low, high)) continue;
+    for (Eigen::Index j = 1; j < q.cols(); ++j) {
+      if (apart(near, far, q.col(j - 1).cwiseMin(q.col(j)), q.col(j - 1).cwiseMax(q.col(j)))) continue;
       if (const auto at = crossing(from, to, q.col(j - 1), q.col(j))) visit(*at);
+    }
   }
 }
 

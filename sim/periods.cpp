@@ -1,7 +1,6 @@
 #include "sim/periods.hpp"
 
 #include <Eigen/LU>
-#include <stdexcept>
 
 #include "sim/image.hpp"
 
@@ -13,7 +12,7 @@ using Plane = Eigen::Matrix2d;  // both periods, by x and y
 }  // namespace
 
 void PeriodGuide::lead(const PeriodicCell& cell, State& state) const {
-  Cylinder on = cell.curls == Curls::never ? Cylinder{} : cylinder(cell, state.q.rightCols<2>());
+  Cylinder on = cell.may_curl() ? cylinder(cell, state.q.rightCols<2>()) : Cylinder{};
   if (on.curvature != 0) state.q = rolled_out(cell, state.q);
   stretch(state);
   if (curl.how == How::led) on.curvature = curl.length(state.t);
@@ -33,15 +32,16 @@ void PeriodGuide::stretch(State& state) const {
 }
 
 bool PeriodGuide::pace(State& state, double until) const {
-  if (leaves_free()) throw std::invalid_argument("a free period has no motion of its own");
   // Times of schedules are met to rounding only.
   const double between = (state.t + until) / 2;
   const Plane before = state.v.topRightCorner<2, 2>();
   Plane after = before;
-  const auto rate = [between](const Part& part) { return part.how == How::led ? part.length.rate(between) : 0; };
-  after(0, 0) = rate(course);
-  after(1, 1) = rate(wale);
-  after(0, 1) = rate(lean);
+  const auto pace_of = [between](const Part& part, double& rate) {
+    if (part.how != How::free) rate = part.how == How::led ? part.length.rate(between) : 0;
+  };
+  pace_of(course, after(0, 0));
+  pace_of(wale, after(1, 1));
+  pace_of(lean, after(0, 1));
   if (after == before) return false;
   state.v.topRows<2>() += (after - before) * in_periods(state.q, state);
   state.v.topRightCorner<2, 2>() = after;

@@ -25,8 +25,8 @@ struct PeriodGuide {
 
   /// Sets what is led to where it is at `state.t`, and lets the whole fabric of such a cell go along.
   void lead(const PeriodicCell&, State& state) const;
-  /// Gives each period its rate from `state.t` to `until`, between which no schedule turns, and lets the fabric go
-  /// along, unchanged beside the flow; whether it went otherwise. Throws std::invalid_argument if a period is free.
+  /// Gives each period that is not free its rate from `state.t` to `until`, between which no schedule turns, and lets
+  /// the fabric go along, unchanged beside the flow; whether it went otherwise.
   bool pace(State& state, double until) const;
   bool leaves_free() const { return course.how == How::free || wale.how == How::free || lean.how == How::free; }
   /// By coordinate (rows) and period (columns): 1 where it may move, 0 where it may not.

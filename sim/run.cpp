@@ -31,8 +31,6 @@ QuasiStatic timed(QuasiStatic spec, double duration) {
 RungeKutta timed(const RungeKutta& spec, double) { return spec; }
 Implicit timed(const Implicit& spec, double) { return spec; }
 
-double furthest(const Points& from, const Points& to) { return (to - from).colwise().norm().maxCoeff(); }
-
 /// Runs one scene into one Results, from wherever its snapshots end.
 class Run {
  public:
@@ -71,7 +69,7 @@ class Run {
   static Fabric plain(const Fabric& fabric, const Points& q) {
     if (!fabric.cell) return fabric;
     // Rolled out, loops hold each other as they do around an axis.
-    const bool curls = fabric.cell->curls != Curls::never;
+    const bool curls = fabric.cell->may_curl();
     return tile(fabric, curls ? rolled_out(*fabric.cell, q) : q, repeats_for_crossings, repeats_for_crossings);
   }
   std::vector<bool> follow(const Points& q) {
@@ -83,12 +81,12 @@ class Run {
   /// A loop is several diameters of yarn long, so that little can have slid where nothing has moved by half of one, but
   /// for what all of the fabric does.
   bool slid(const Points& q) const {
-    return furthest(followed_, q) >= half_diameter_ && uneven_motion(followed_, q - followed_) >= half_diameter_;
+    return largest_motion(followed_, q) >= half_diameter_ && uneven_motion(followed_, q - followed_) >= half_diameter_;
   }
 
   /// Of a step on its way to `q`. One that was given up is tried anew from `before`.
   void keep_up(const Points& q, const Looked& before) {
-    if (furthest(before.at, q) < furthest(followed_, q)) {
+    if (largest_motion(before.at, q) < largest_motion(followed_, q)) {
       clasps_.go_back(before.places);
       followed_ = before.at;
     }

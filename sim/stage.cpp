@@ -67,7 +67,7 @@ void StageSetup::guide_periods() {
   guide_.course = part(deform.course, periods(0, 0), periods(0, 0));
   guide_.wale = part(deform.wale, periods(1, 1), periods(1, 1));
   guide_.lean = part(deform.shear, periods(1, 1), periods(0, 1));
-  if (scene_.fabric.cell->curls != Curls::never) {
+  if (scene_.fabric.cell->may_curl()) {
     guide_.curl = part(deform.curl, 1, 0);
     std::vector<Schedule::Knot> knots = guide_.curl.length.knots();
     knots.front().value = curvature(*scene_.fabric.cell, periods);
@@ -156,10 +156,9 @@ std::vector<Quantity> StageSetup::measure(World& world, const State& state) cons
     for (int end = 0; end < 2; ++end)
       if (effect->name() == grip_labels[end]) grip_load[end] = force.rowwise().sum().dot(along);
   }
-  const bool flows = scene_.fabric.cell && stage_.follows_motion();
-  row.push_back({"energy.kinetic", "J", world.mass().kinetic_energy(flows ? beside_flow(state) : state.v)});
+  row.push_back({"energy.kinetic", "J", world.kinetic_energy(state)});
   row.push_back({"closest", "1", world.closest()});
-  if (flows)
+  if (scene_.fabric.cell && stage_.follows_motion())
     measure_periods(force_on_flow(total, state, world.mass()), state, row);
   else if (scene_.fabric.cell)
     measure_periods(world.beside_mid_surface(world.ties().gather(total)).rightCols<2>(), state, row);
@@ -187,7 +186,7 @@ void StageSetup::measure_periods(const Eigen::Matrix<double, 3, 2>& on_periods, 
     row.push_back({"stress.wale", "Pa", -on_periods(1, 1) / across});
     row.push_back({"stress.shear", "Pa", -on_periods(0, 1) / across});
   }
-  if (scene_.fabric.cell->curls != Curls::never) measure_curl(on_periods(2, 1), periods, row);
+  if (scene_.fabric.cell->may_curl()) measure_curl(on_periods(2, 1), periods, row);
   if (!stage_.strains() || (stage_.deform && stage_.deform->leaves_periods_free())) return;
   const auto before = start_.q.rightCols<2>();
   row.push_back({"strain.course", "1", periods(0, 0) / before(0, 0) - 1});

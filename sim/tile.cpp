@@ -11,7 +11,7 @@ namespace {
 /// One yarn of the repeat `above`, `across` times as long, after those that are there.
 void add_yarn(const Fabric& periodic, const Points& q, const Yarn& yarn, int across, int above, Fabric& tiled) {
   const Vec3 course = q.rightCols<2>().col(0), wale = q.rightCols<2>().col(1);
-  const bool curls = periodic.cell->curls != Curls::never;
+  const bool curls = periodic.cell->may_curl();
   const int first_point = tiled.yarns.empty() ? 0 : tiled.yarns.back().first_point + tiled.yarns.back().points();
   const Yarn longer{first_point, tiled.segment_count(), across * yarn.segments};
   for (int k = 0; k < longer.points(); ++k) {

@@ -25,8 +25,9 @@ World::World(const Fabric& fabric, std::vector<EffectSpec> effects, RestSchedule
       parts_{.fabric = fabric_, .rest = rest_, .start = start_, .lagged = lagged},
       ties_(fabric),
       mass_(fabric),
+      period_inertia_(fabric),
       constraints_(fabric, clamps, start_.q) {
-  if (fabric.cell && fabric.cell->curls != Curls::never) {
+  if (fabric.cell && fabric.cell->may_curl()) {
     const Points masses = mass_.times(Points::Ones(3, start_.q.cols()));
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(masses.cols());
     for (int i = 0; i < masses.cols(); ++i) weights[ties_.leader(i)] += masses(0, i);
@@ -111,6 +112,11 @@ void World::hold(const std::vector<std::uint8_t>& held) {
     for (auto& [setting, beads] : *made) beads->leave_out(parts_.asleep);
 }
 
+double World::kinetic_energy(const State& state) const {
+  if (!fabric_.cell) return mass_.kinetic_energy(state.v);
+  return mass_.kinetic_energy(beside_flow(state)) + period_inertia_.kinetic_energy(state, guide_);
+}
+
 void World::accelerate(const State& state, Points& acceleration, Points* force) {
   prepare(state);
   Load load{.force = &acceleration};
@@ -120,6 +126,12 @@ void World::accelerate(const State& state, Points& acceleration, Points* force) 
     moving_mass_->solve(acceleration);
     for (std::size_t i = 0; i < held_.size(); ++i)
       if (held_[i]) acceleration.col(static_cast<Eigen::Index>(i)).setZero();
+    return;
+  }
+  if (fabric_.cell && guide_.leaves_free()) {
+    const Points bears = acceleration;
+    mass_.solve(acceleration);
+    period_inertia_.add_to(acceleration, bears, state, guide_, mass_);
     return;
   }
   if (constraints_.empty()) {

@@ -11,7 +11,7 @@
 #include "sim/mass.hpp"
 #include "sim/mid_surface.hpp"
 #include "sim/parts.hpp"
-#include "sim/periods.hpp"
+#include "sim/period_inertia.hpp"
 #include "sim/ties.hpp"
 
 namespace wale {
@@ -69,6 +69,9 @@ class World {
   const Ties& ties() const { return ties_; }
   const PeriodGuide& guide() const { return guide_; }
   const Mass& mass() const { return mass_; }
+  const PeriodInertia& period_inertia() const { return period_inertia_; }
+  /// Of a periodic fabric that of its motion beside the flow of its periods, and that of free periods, J.
+  double kinetic_energy(const State&) const;
   /// Those of a fabric that curls hold its mid-surface, as it was at the last prepare() of what is elastic.
   const Constraints& constraints() const { return constraints_; }
   /// A force on what may move without what holds its mid-surface, of a fabric that curls and rests, at the last
@@ -99,6 +102,7 @@ class World {
   Ties ties_;
   PeriodGuide guide_;
   Mass mass_;
+  PeriodInertia period_inertia_;
   std::vector<std::uint8_t> held_;         // by control point; empty: none is
   std::optional<Mass> moving_mass_{};      // of the others, if some are held
   std::optional<MidSurface> mid_surface_;  // of a fabric that curls

@@ -114,7 +114,6 @@ class StageReader {
       refuse("hold", "leave it out, so that the repeat shrinks with its yarn, or write `hold: periods`");
     refuse("mount", "leave it out: a stage without a pull lets both periods go where they carry no force");
     refuse("grip_stiffness", "leave it out: periods are not gripped");
-    if (stage_.follows_motion()) refuse_free_periods();
     check_suits_curl();
   }
 
@@ -143,25 +142,6 @@ class StageReader {
 
   void refuse_curled(std::string_view what, std::string_view hint) {
     say_.error("S010", {node_.span.source, node_.span.begin, node_.span.begin}, std::string(what), std::string(hint));
-  }
-
-  /// A free period goes where it bears nothing: without mass it would follow at once whatever moves.
-  void refuse_free_periods() {
-    const Deform deform = deform_of(stage_);
-    std::vector<std::string_view> free;
-    for (const auto& [name, part] :
-         {std::pair{"`wale`", deform.wale}, {"`course`", deform.course}, {"`shear`", deform.shear}})
-      if (part.how == Deform::How::free) free.push_back(name);
-    if (free.empty()) return;
-    const YamlNode* at = &node_;
-    for (const std::string_view key : {"pull", "deform", "solver"})
-      if (const YamlNode* given = fields_.find(key)) at = given;
-    const char* solver = std::holds_alternative<Implicit>(stage_.solver) ? "implicit" : "runge_kutta";
-    say_.error("S004", at == &node_ ? Span{at->span.source, at->span.begin, at->span.begin} : at->span,
-               fmt::format("\"{}\" follows a motion, and {} of the periods {} free", solver, fmt::join(free, ", "),
-                           free.size() == 1 ? "is" : "are"),
-               "periods have no mass: write `hold: periods`, or hold or drive all of them, as in `deform: {wale: 20 %, "
-               "course: held, shear: held}`; `quasi_static` lets them go where they bear nothing");
   }
 
   void refuse(std::string_view key, std::string_view hint) {

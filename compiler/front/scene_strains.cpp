@@ -19,14 +19,19 @@ constexpr Range swatch_strain{1e-6, longest}, swatch_turn{0, longest};  // a swa
 constexpr Range period_strain{-0.9, longest}, shear_strain{-longest, longest};
 constexpr Range bend{-1e4, 1e4};  // 1/m, a tenth of a millimetre around
 
+/// What a deformation is measured by.
+struct Measure {
+  std::string_view name;
+  const Dimension& dimension;
+};
+constexpr Measure strain{"the strain", dimensions::ratio}, curvature{"the curvature", dimensions::curvature};
+
 /// One strain, or a list of them; what is faulty is reported and left out.
 std::vector<double> read_strains(const YamlNode& node, Range alone, Range in_list, Diagnostics& say,
-                                 const Dimension& dimension = dimensions::ratio) {
-  const bool strain = dimension.unit == dimensions::ratio.unit;
+                                 const Measure& measure = strain) {
   std::vector<double> strains;
   const auto read = [&](const YamlNode& item, Range range) {
-    if (const auto value = read_quantity(item, strain ? "the strain" : "the curvature", dimension, range, say))
-      strains.push_back(*value);
+    if (const auto value = read_quantity(item, measure.name, measure.dimension, range, say)) strains.push_back(*value);
   };
   if (node.kind != YamlNode::Kind::list) {
     read(node, alone);
@@ -50,16 +55,16 @@ bool stands_still(const std::vector<double>& strains, std::size_t k) {
 void check_moves(const std::vector<double>& strains, const YamlNode& node, Diagnostics& say) {
   for (std::size_t k = 0; k < strains.size(); ++k) {
     if (!stands_still(strains, k)) continue;
-    say.error("S011", place(node, k), "the strain is there already", std::string(each_differs));
+    say.error("S011", place(node, k), fmt::format("{} is there already", strain.name), std::string(each_differs));
     return;
   }
 }
 
-Deform::Part read_part(const YamlNode& node, std::string_view key, Range range, const Dimension& dimension,
+Deform::Part read_part(const YamlNode& node, std::string_view key, Range range, const Measure& measure,
                        Diagnostics& say) {
   const bool word = node.kind == YamlNode::Kind::scalar && !node.text.empty() &&
                     std::isalpha(static_cast<unsigned char>(node.text.front()));
-  if (!word) return {Deform::How::driven, read_strains(node, range, range, say, dimension)};
+  if (!word) return {Deform::How::driven, read_strains(node, range, range, say, measure)};
   const auto how = read_word(node, fmt::format("\"{}\"", key), {"free", "held"}, say);
   return {how.value_or(0) == 1 ? Deform::How::held : Deform::How::free, {}};
 }
@@ -68,6 +73,7 @@ struct DrivenPart {
   const YamlNode* node = nullptr;
   std::string_view key;
   const std::vector<double>* strains = nullptr;
+  std::string_view measure;
   bool from_zero = true;  ///< where it begins is known
   bool rests(std::size_t k) const { return (k > 0 || from_zero) && stands_still(*strains, k); }
 };
@@ -86,7 +92,7 @@ void check_together(const std::vector<DrivenPart>& driven, Diagnostics& say) {
   }
   for (std::size_t k = 0; k < first.strains->size(); ++k) {
     if (!std::all_of(driven.begin(), driven.end(), [k](const DrivenPart& part) { return part.rests(k); })) continue;
-    say.error("S011", place(*first.node, k), "the strain is there already",
+    say.error("S011", place(*first.node, k), fmt::format("{} is there already", first.measure),
               std::string(each_differs) + "; `held` keeps a period as it is");
     return;
   }
@@ -121,18 +127,17 @@ Deform read_deform(const YamlNode& node, Diagnostics& say) {
   const Fields fields(node, "a deformation", {"wale", "course", "shear", "curl"}, say);
   Deform deform;
   std::vector<DrivenPart> driven;
-  const auto read = [&](std::string_view key, Range range, Deform::Part& part,
-                        const Dimension& dimension = dimensions::ratio) {
+  const auto read = [&](std::string_view key, Range range, Deform::Part& part, const Measure& measure = strain) {
     const YamlNode* given = fields.find(key);
     if (!given) return;
-    part = read_part(*given, key, range, dimension, say);
+    part = read_part(*given, key, range, measure, say);
     if (part.how == Deform::How::driven && !part.strains.empty())
-      driven.push_back({given, key, &part.strains, &part != &deform.curl});
+      driven.push_back({given, key, &part.strains, measure.name, &part != &deform.curl});
   };
   read("wale", period_strain, deform.wale);
   read("course", period_strain, deform.course);
   read("shear", shear_strain, deform.shear);
-  read("curl", bend, deform.curl, dimensions::curvature);
+  read("curl", bend, deform.curl, curvature);
   check_together(driven, say);
   return deform;
 }

@@ -132,7 +132,7 @@ class Beads {
     const double* x = rows + 3 * stride_ * index(segment) + bead;
     return {x[0], x[stride_], x[2 * stride_]};
   }
-  bool curls() const { return fabric_.cell && fabric_.cell->curls != Curls::never; }
+  bool curls() const { return fabric_.cell && fabric_.cell->may_curl(); }
   void find_images(const Points& q);
   void place_images(const Points& q);
   void turn_image(int image);

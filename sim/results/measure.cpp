@@ -97,7 +97,7 @@ Sizes measure_repeat(const Fabric& fabric, const Gauge& gauge, const Points& q) 
   sizes.length = q(1, q.cols() - 1);
   sizes.wale_spacing = sizes.width / gauge.wales;
   sizes.course_spacing = sizes.length / gauge.courses;
-  const bool curls = fabric.cell->curls != Curls::never;
+  const bool curls = fabric.cell->may_curl();
   sizes.thickness = thickness(fabric, curls ? rolled_out(*fabric.cell, q) : q, Vec3::UnitZ());
   return sizes;
 }

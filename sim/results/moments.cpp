@@ -17,7 +17,7 @@ const Snapshot* relaxed_state(const Results& results) {
 
 std::optional<double> relaxed_curvature(const Results& results) {
   const auto& cell = results.scene.fabric.cell;
-  if (!cell || cell->curls == Curls::never || results.scene.stages.empty()) return std::nullopt;
+  if (!cell || !cell->may_curl() || results.scene.stages.empty()) return std::nullopt;
   const Snapshot* relaxed = relaxed_state(results);
   if (!relaxed) return std::nullopt;
   return curvature(*cell, relaxed->state.q.rightCols<2>());

@@ -28,7 +28,7 @@ Chords chords_of(const Fabric& fabric, const Points& q, int segment) {
 }
 
 void displace(const Fabric& fabric, const Points& q, const Eigen::Vector2i& steps, Chords& points) {
-  if (fabric.cell->curls == Curls::never) {
+  if (!fabric.cell->may_curl()) {
     for (Vec3& point : points) point += q.rightCols<2>() * steps.cast<double>();
     return;
   }
@@ -97,6 +97,8 @@ int about_to_pass(const Fabric& fabric, const Points& before, const Points& afte
   }
   return -1;
 }
+
+double largest_motion(const Points& from, const Points& to) { return (to - from).colwise().norm().maxCoeff(); }
 
 double uneven_motion(const Points& q, const Points& move) {
   Eigen::MatrixXd place(4, q.cols());

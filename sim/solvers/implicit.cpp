@@ -97,44 +97,47 @@ class ImplicitSolver final : public Solver {
     const double h = to - state_.t;
     const State &first = begin_.at, &second = middle_.at;
     const Points on = gamma * h * first.v;
-    if (!stage(first, state_.t + gamma * h, h, first.q + d * h * first.v, first.v + d * h * begin_.a, on, middle_))
+    if (!stage(begin_, state_.t + gamma * h, h, first.q + d * h * first.v, first.v + d * h * begin_.a, on, middle_))
       return false;
     const Points further = h * (1 - gamma) * (first.v + (second.v - first.v) * ((1 + gamma) / (2 * gamma)));
-    return stage(second, to, h, first.q + w * h * (first.v + second.v), first.v + w * h * (begin_.a + middle_.a),
+    return stage(middle_, to, h, first.q + w * h * (first.v + second.v), first.v + w * h * (begin_.a + middle_.a),
                  further, end_);
   }
 
   /// The stage at time `t` is q = `q` + d h v, v = `v` + d h a; `ahead` is about how far it lies from `from`, the stage
   /// before, at which dissipation is looked at.
-  bool stage(const State& from, double t, double h, const Points& q, const Points& v, const Points& ahead,
+  bool stage(const Motion& from, double t, double h, const Points& q, const Points& v, const Points& ahead,
              Motion& found) {
     const double time = d * h;
     const Points coasting = q + time * v;
-    increment_.begin(from, time, q, coasting);
-    found.at = from;
+    increment_.begin(from.at, time, q, coasting, from.a);
+    found.at = from.at;
     found.at.t = t;
     guess(coasting, ahead, found.at);
     const Equilibrium::Goal goal{.move = newton_error(h)};
     if (equilibrium_.relax(found.at, goal, spec_.iterations, effort_) != Equilibrium::Answer::found) return false;
     found.at.v = (found.at.q - q) / time;
     found.a = (found.at.q - coasting) / (time * time);
-    if (world_.fabric().cell) tie(from, found);
+    if (world_.fabric().cell) tie(from.at, found);
     return true;
   }
 
-  /// Periods go on at their rate, and what follows follows: to the last bit, or else rounding adds up.
+  /// Periods that are not free go on at their rate, and what follows follows: to the last bit, or else rounding adds
+  /// up.
   void tie(const State& from, Motion& found) const {
-    found.at.v.rightCols<2>() = from.v.rightCols<2>();
-    found.a.rightCols<2>().setZero();
+    const Eigen::Matrix<double, 3, 2> free = world_.guide().mobility();
+    found.at.v.rightCols<2>() = (free.array() == 0).select(from.v.rightCols<2>(), found.at.v.rightCols<2>());
+    found.a.rightCols<2>().array() *= free.array();
     for (Points* of : {&found.at.q, &found.at.v, &found.a}) *of = increment_.spread(world_.ties().pick(*of));
   }
 
-  /// Goes along with the periods, which leads no yarn through another, and leaves of `ahead` what is beside that.
+  /// Goes along with the periods that are led, which leads no yarn through another, and leaves of `ahead` what is
+  /// beside that.
   void flow(Points& ahead, State& at) const {
     ahead += at.q;
     world_.guide().lead(*world_.fabric().cell, at);
     ahead -= at.q;
-    ahead.rightCols<2>().setZero();
+    ahead.rightCols<2>().array() *= world_.guide().mobility().array();
   }
 
   /// Moves `at` by about `ahead`, and all of it together to where it coasts on the whole: then inner forces, which move
@@ -143,7 +146,7 @@ class ImplicitSolver final : public Solver {
     if (world_.fabric().cell) flow(ahead, at);
     const Eigen::Index points = world_.fabric().points.cols();
     if (world_.constraints().empty()) {
-      const Points missing = world_.mass().times(coasting - at.q - ahead);
+      const Points missing = world_.mass().times(increment_.beside_free_periods(coasting - at.q - ahead));
       const double mass = world_.mass().times(Points::Ones(3, missing.cols())).row(0).sum();
       const Vec3 together = missing.rowwise().sum() / mass;
       ahead.leftCols(points).colwise() += together;

@@ -10,19 +10,32 @@ constexpr double held_stiffness = 1e3;  // N/m, of what does not move and feels 
 Increment::Increment(World& world)
     : world_(world),
       dissipates_(world.dissipates()),
+      inertia_(world),
       mass_(world.ties().columns()),
+      flowing_(world.ties().columns()),
       damping_(world.ties().columns()),
       exact_(world.ties().columns()),
       convex_(exact_) {}
 
 void Increment::begin(const State& lagged, double time, Points from) { begin(lagged, time, std::move(from), {}); }
 
-void Increment::begin(const State& lagged, double time, Points from, Points coasting) {
+void Increment::begin(const State& lagged, double time, Points from, Points coasting, const Points& gaining) {
   time_ = time;
   from_ = std::move(from);
   coasting_ = std::move(coasting);
   if (has_inertia() && mass_.slots() == 0) world_.mass().add_to(mass_);
+  if (has_inertia() && inertia_.flows()) expect(lagged, gaining);
   lag(lagged);
+}
+
+/// Where the step may end.
+void Increment::expect(const State& from, const Points& gaining) {
+  State end = from;
+  end.q = coasting_ + time_ * time_ * gaining;
+  end.v = (coasting_ - from_) / time_ + time_ * gaining;
+  inertia_.look_at(end);
+  flowing_.clear();
+  inertia_.add_to(flowing_);
 }
 
 void Increment::lag(const State& lagged) {
@@ -53,9 +66,13 @@ double Increment::value(const State& at, Points* force) {
   }
   if (has_inertia()) {
     const Points acceleration = (at.q - coasting_) / (time_ * time_);
-    const Points inertia = world_.mass().times(acceleration);
+    const Points inertia = inertia_.times(acceleration);
     energy += time_ * time_ / 2 * acceleration.cwiseProduct(inertia).sum();
     if (force) *force -= inertia;
+  }
+  if (has_inertia() && inertia_.flows()) {
+    energy -= (at.q - coasting_).rightCols<2>().cwiseProduct(inertia_.carried()).sum();
+    if (force) force->rightCols<2>() += inertia_.carried();
   }
   if (force && !world_.ties().empty()) *force = gather(*force);
   return energy;
@@ -84,7 +101,10 @@ void Increment::second(const State& at, const Leeway& leeway, double shift, Stif
   world_.add_to(load, at, Acting::elastic);
   for (Stiffness* matrix : {&all_exact, all_convex}) {
     if (!matrix) continue;
-    if (has_inertia()) matrix->add(mass_, 1 / (time_ * time_));
+    if (has_inertia()) {
+      matrix->add(mass_, 1 / (time_ * time_));
+      if (inertia_.flows()) matrix->add(flowing_, 1 / (time_ * time_));
+    }
     if (shift > 0) leeway.add_to(*matrix, shift);
   }
   damping_.fit();
@@ -95,7 +115,7 @@ void Increment::second(const State& at, const Leeway& leeway, double shift, Stif
 }
 
 Points Increment::impulse(const Points& a, const Points& b) const {
-  Points sum = world_.mass().times(a + time_ * b) / (time_ * time_);
+  Points sum = inertia_.times(a + time_ * b) / (time_ * time_);
   if (dissipates_) {
     Eigen::VectorXd drag;
     damping_.multiply(a.reshaped(), drag);

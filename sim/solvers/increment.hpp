@@ -1,6 +1,7 @@
 /// What one step of a quasi-static or an implicit solver makes least.
 #pragma once
 
+#include "sim/solvers/flowing_inertia.hpp"
 #include "sim/solvers/leeway.hpp"
 #include "sim/world.hpp"
 
@@ -9,7 +10,8 @@ namespace wale {
 /// Φ(q) = V(q) + θ D(qD; (q - q0)/θ) + ½ (q - q1)·M (q - q1)/θ², where the velocity at the end is (q - q0)/θ, the
 /// acceleration (q - q1)/θ², and θ how long the step takes. That its slope is zero is the balance of forces there. D
 /// has its normal forces and directions from a given qD: lagged, so that there is an energy to be made least (Li et
-/// al. 2020, "Incremental potential contact"). A quasi-static step has no last term.
+/// al. 2020, "Incremental potential contact"). A quasi-static step has no last term. If a period of a periodic fabric
+/// is free, the last term is that of FlowingInertia.
 class Increment {
  public:
   /// `world` must outlive it, and be lagged if anything in it depends on velocity.
@@ -20,8 +22,11 @@ class Increment {
   /// From now on qD is `lagged`.
   void lag(const State& lagged);
   /// Where a motion would be after `time` s at its old velocity (`coasting`, q1), and where it would be at none
-  /// (`from`, q0), by the columns of State::q. Of a periodic fabric no period may be free.
-  void begin(const State& lagged, double time, Points from, Points coasting);
+  /// (`from`, q0), by the columns of State::q. `gaining` is about how it gains speed until then, m/s²: asked for only
+  /// if a period is free.
+  void begin(const State& lagged, double time, Points from, Points coasting, const Points& gaining = {});
+  /// What inertia acts on of a motion: all of it but the flow of free periods.
+  Points beside_free_periods(const Points& motion) const { return inertia_.beside(motion); }
   /// Whether the last begin() was of a motion.
   bool has_inertia() const { return coasting_.size() > 0; }
   bool dissipates() const { return dissipates_; }
@@ -45,6 +50,7 @@ class Increment {
   World& world() { return world_; }
 
  private:
+  void expect(const State& from, const Points& gaining);
   State moving(const State& at) const;
   Points gather(const Points& force) const;
   void gather(Stiffness& by_all, Stiffness& by_free) const;
@@ -53,10 +59,12 @@ class Increment {
 
   World& world_;
   bool dissipates_;
-  State lagged_;              // qD
-  Points from_, coasting_;    // q0, q1; the latter empty without inertia
-  double time_ = 1;           // θ, s
+  State lagged_;            // qD
+  Points from_, coasting_;  // q0, q1; the latter empty without inertia
+  double time_ = 1;         // θ, s
+  FlowingInertia inertia_;
   Stiffness mass_;            // kg; empty without inertia
+  Stiffness flowing_;         // what free periods add to it
   Stiffness damping_;         // second derivative of D by velocity, of a motion
   Stiffness exact_, convex_;  // by all columns, of a periodic fabric
 };

@@ -30,7 +30,7 @@ void Leeway::update(const Points& q, const std::vector<Gap>& gaps) {
     near_.push_back({fabric_.first_point(gap.a), fabric_.first_point(gap.b), gap.image,
                      std::clamp(share_of_gap * apart, least_across * thickness_, across_yarns * thickness_),
                      gap.distance < gap.diameter});
-    if (!fabric_.cell || fabric_.cell->curls == Curls::never || gap.image.isZero()) continue;
+    if (!fabric_.cell || !fabric_.cell->may_curl() || gap.image.isZero()) continue;
     near_.back().turned = static_cast<int>(turned_.size());
     const Image image(*fabric_.cell, q.rightCols<2>(), gap.image);
     const Vec3 centre = q.middleCols<4>(near_.back().b).rowwise().mean();

@@ -57,7 +57,7 @@ Points resampled_flat(const Fabric& from, const Points& q, const Fabric& to) {
 }  // namespace
 
 Points resampled(const Fabric& from, const Points& q, const Fabric& to) {
-  if (to.cell && to.cell->curls != Curls::never) return resampled_flat(from, q, to);
+  if (to.cell && to.cell->may_curl()) return resampled_flat(from, q, to);
   return resampled_as_it_lies(from, q, to);
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/solver.hpp"
+#include "sim/solvers/clearance.hpp"
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/one_thread.hpp"
 #include "tests/support/resting_jersey.hpp"
@@ -55,8 +56,6 @@ double energy_at_rest() {
   return energy;
 }
 
-double furthest(const Points& a, const Points& b) { return (a - b).colwise().norm().maxCoeff(); }
-
 double yarn_force() {
   const Material& yarn = jersey().fabric().materials[0];
   return yarn.bending_rigidity / (yarn.diameter * yarn.diameter);
@@ -86,13 +85,13 @@ INSTANTIATE_TEST_SUITE_P(Sleepers, Strike, testing::Bool(),
 TEST_P(Strike, FindsThoseWhoSleepAwakeInTimeAndLosesNothing) {
   const OneThread one;
   const Motion plain = follow(effects(), 0, jersey().state());
-  const double moved = furthest(plain.state.q, jersey().state().q);
+  const double moved = largest_motion(plain.state.q, jersey().state().q);
   EXPECT_GT(moved, 1e-5);
   double spared = 1;
   for (const double sleep : {1e-2, 1e-3, 1e-4}) {
     SCOPED_TRACE(sleep);
     const Motion motion = follow(effects(), sleep, jersey().state());
-    EXPECT_LT(furthest(motion.state.q, plain.state.q), sleep * moved);
+    EXPECT_LT(largest_motion(motion.state.q, plain.state.q), sleep * moved);
     // Who sleeps beside the moving ones takes of their momentum what forces up to the threshold give in that time. The
     // frame takes much as well: it is compared with what moves either way.
     EXPECT_LT((motion.momentum - plain.momentum).rowwise().sum().norm(),
@@ -111,7 +110,7 @@ TEST(Sleepers, FallAsleepWhereMotionHasDiedAway) {
   const std::vector<EffectSpec> thick{Drag{.coefficient = 20}};
   const Motion motion = follow(thick, 1e-2, start);
   EXPECT_GT(motion.share_spared(), 0.5);
-  EXPECT_LT(furthest(motion.state.q, follow(thick, 0, start).state.q), 1e-4 * 1e-3);
+  EXPECT_LT(largest_motion(motion.state.q, follow(thick, 0, start).state.q), 1e-4 * 1e-3);
 }
 
 TEST(Sleepers, SleepOnInASolverMadeFromTheirState) {
@@ -120,7 +119,7 @@ TEST(Sleepers, SleepOnInASolverMadeFromTheirState) {
   const Motion half = follow(effects, 1e-2, jersey().state(), 60e-6), rest = follow(effects, 1e-2, half.state),
                whole = follow(effects, 1e-2, jersey().state());
   EXPECT_NEAR(rest.effort.spared + half.effort.spared, whole.effort.spared, 0.05 * whole.effort.spared);
-  EXPECT_LT(furthest(rest.state.q, whole.state.q), 1e-3 * furthest(whole.state.q, jersey().state().q));
+  EXPECT_LT(largest_motion(rest.state.q, whole.state.q), 1e-3 * largest_motion(whole.state.q, jersey().state().q));
 }
 
 TEST(Sleepers, AreNoneWhereRestLengthsChange) {

@@ -48,12 +48,14 @@ inline LaidCell begun_later(const LaidCell& of, int later) {
 inline PeriodGuide::Part held() { return {.how = PeriodGuide::How::held}; }
 inline PeriodGuide::Part led(Schedule length) { return {.how = PeriodGuide::How::led, .length = std::move(length)}; }
 
-/// The wale period goes by these strains in turn, each reached after as many seconds again; nothing else goes.
-inline PeriodGuide lengthened(const LaidCell& cell, const std::vector<double>& strains, double each) {
+/// The wale period goes by these strains in turn, each reached after as many seconds again; across it is held, unless
+/// that is another part.
+inline PeriodGuide lengthened(const LaidCell& cell, const std::vector<double>& strains, double each,
+                              PeriodGuide::Part across = held()) {
   const double length = cell.q(1, cell.q.cols() - 1);
   std::vector<Schedule::Knot> knots{{0, length}};
   for (const double strain : strains) knots.push_back({knots.back().t + each, (1 + strain) * length});
-  return {held(), led(Schedule(std::move(knots))), held()};
+  return {std::move(across), led(Schedule(std::move(knots))), held()};
 }
 
 class MovingCell {
@@ -79,7 +81,7 @@ class MovingCell {
     return state;
   }
 
-  double kinetic(const State& at) const { return world_.mass().kinetic_energy(beside_flow(at)); }
+  double kinetic(const State& at) const { return world_.kinetic_energy(at); }
   double energy(const State& at) {
     double stored = 0;
     Load load{.energy = &stored};
