@@ -172,20 +172,23 @@ BeadSpreading Beads::spreading() const {
           .weights = spread_weights_.data()};
 }
 
+BeadPairs Beads::kernel_pairs(int image) const {
+  return {.rows = rows(),
+          .image = image_rows_[index(image)],
+          .displacement = displacements_[index(image)].data(),
+          .first_pair = first_pairs_of(image),
+          .partner = partner_.data(),
+          .near_along = near_along_.data(),
+          .arc_on = arc_on_.data(),
+          .material = material_.data(),
+          .materials = static_cast<int>(fabric_.materials.size()),
+          .screening_length = screening_length_.data()};
+}
+
 /// The least squared distance over the squared diameter.
 double Beads::measure(int image) {
-  const BeadMeasuring measuring{.rows = rows(),
-                                .image = image_rows_[index(image)],
-                                .displacement = displacements_[index(image)].data(),
-                                .first_pair = first_pairs_of(image),
-                                .partner = partner_.data(),
-                                .near_along = near_along_.data(),
-                                .arc_on = arc_on_.data(),
-                                .material = material_.data(),
-                                .materials = static_cast<int>(fabric_.materials.size()),
-                                .inverse_square = inverse_square_.data(),
-                                .screening_length = screening_length_.data(),
-                                .squared = squared_.data()};
+  const BeadMeasuring measuring{
+      .pairs = kernel_pairs(image), .inverse_square = inverse_square_.data(), .squared = squared_.data()};
   double closest = std::numeric_limits<double>::infinity();
 #pragma omp parallel for schedule(static) reduction(min : closest)
   for (std::size_t i = 1; i < boundaries_.size(); ++i)
@@ -336,6 +339,20 @@ void Beads::index_pairs() {
       *first = static_cast<std::int32_t>(p);
       while (p < pairs_.size() && pairs_[p].image == image && pairs_[p].a == a) ++p;
     }
+  find_reaches();
+}
+
+void Beads::find_reaches() {
+  furthest_.clear();
+  reaches_.clear();
+  for (std::size_t i = 1; i < boundaries_.size(); ++i) {
+    const int first = boundaries_[i - 1], last = boundaries_[i];
+    int furthest = last;
+    for (std::size_t p = first_pair(0, first); p < first_pair(0, last); ++p)
+      furthest = std::max(furthest, partner_[p] + 1);
+    furthest_.push_back(furthest);
+    reaches_.push_back(std::min(furthest, 2 * last - first));
+  }
 }
 
 void Beads::list_gaps(std::vector<Gap>& out) const {

@@ -1,26 +1,25 @@
-/// The kernels of beads, on one number type of one or four lanes. Each sum is over four lanes, so that it is the same
-/// for any number type. They use nothing but that type, so that no other translation unit can share what is compiled
-/// here.
+/// The kernels of beads, on one number type of one, four or eight lanes. Each sum is over four beads of b, and over
+/// even and odd beads of a, so that it is the same for any number type. They use nothing but that type, so that no
+/// other translation unit can share what is compiled here.
 #pragma once
 
 #include <limits>
 
 #include "sim/effects/contact_law.hpp"
 #include "sim/kernels/bead_kernels.hpp"
-#include "sim/kernels/real.hpp"
+#include "sim/kernels/bead_lanes.hpp"
 #include "sim/kernels/vector.hpp"
 
 namespace wale {
 
 template <class Real>
 class BeadKernelsOf {
-  static constexpr int step = lanes<Real>;
-  static_assert(step == 1 || step == row_step);
+  static_assert(lanes<Real> == 1 || lanes<Real> == row_step || lanes<Real> == 2 * row_step);
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  /// One number a bead of a row, or a sum over every fourth one.
-  struct Row {
-    Real part[row_step / step];
-  };
+  static constexpr int step = lanes_of_b<Real>, at_once = beads_of_a<Real>;
+  /// How many sums over beads b there are to a row, and how many over even or odd beads a.
+  static constexpr int parts = row_step / step, sides = 2 / at_once;
+  using Single = OfB<Real>;
 
  public:
   static bool locate(const BeadLocating& of, int first, int last) {
@@ -31,35 +30,37 @@ class BeadKernelsOf {
 
   static double measure(const BeadMeasuring& of, int first, int last) {
     double closest = infinity;
-    for (int a = first; a < last; ++a) {
-      if (of.rows.count[a] == 4)
-        measure_segment<4>(of, a, closest);
-      else if (of.rows.count[a] == 3)
-        measure_segment<3>(of, a, closest);
-      else
-        measure_segment<any>(of, a, closest);
-    }
+    for (int a = first; a < last; ++a)
+      four_at_a_time(of.pairs.rows.count[a], [&]<int count>(int i) { measure_beads<count>(of, a, i, closest); });
     return closest;
   }
 
-  static double push(const BeadPushing& of) {
-    Row energy{};
-    double* outgoing = of.outgoing;
-    for (int begin = 0, end = 0; begin < of.count; begin = end) {
-      while (end < of.count && of.contacts[end].a == of.contacts[begin].a) {
-        if (end + ahead < of.count) prefetch(of.rows, of.contacts[end + ahead].b);
+  static BeadPushed push(const BeadPushing& of) {
+    const int count = list_touching(of);
+    Energy energy{};
+    Outgoing out{of.outgoing, of.outgoing_pair};
+    for (int a = of.first, begin = 0, end = 0; begin < count; begin = end, ++a) {
+      while (end < count && of.touching[end] < of.pairs.first_pair[a + 1]) {
+        if (end + ahead < count) prefetch(of.pairs.rows, of.pairs.partner[of.touching[end + ahead]]);
         ++end;
       }
-      push_segment(of, begin, end, outgoing, energy);
+      if (begin < end) push_segment(of, {a, begin, end}, out, energy);
     }
-    return sum(energy);
+    return {sum(energy), static_cast<int>(out.pair - of.outgoing_pair)};
   }
 
+  /// Of segments that follow each other on a yarn each adds to three points of the one before, which are kept.
   static void spread(const BeadSpreading& of, int first, int last) {
-    // Segments four apart share no control point, so that none of them waits for what the one before has stored.
-    for (int begin = first; begin < last && begin < first + 4; ++begin)
-      for (int segment = begin; segment < last; segment += 4)
-        if (of.touched[segment - first]) spread_row(of, segment, of.push + 3 * of.stride * long{segment - first});
+    Vector<Row<Real>> sum;
+    for (int segment = first; segment < last; ++segment) {
+      const bool follows = segment > first && of.first_point[segment] == of.first_point[segment - 1] + 1;
+      const Vector<Row<Real>> more = spread_row(of, segment, of.push + 3 * of.stride * long{segment - first});
+      sum = follows ? Vector<Row<Real>>{moved_up(sum.x), moved_up(sum.y), moved_up(sum.z)} + more : more;
+      double* force = of.force + (of.first_point[segment] - of.origin);
+      store(sum.x, force);
+      store(sum.y, force + of.force_stride);
+      store(sum.z, force + 2 * of.force_stride);
+    }
   }
 
  private:
@@ -70,16 +71,16 @@ class BeadKernelsOf {
     const long row = 3 * static_cast<long>(stride) * segment;
     bool near = true;
     for (int j = 0; j < stride; j += step) {
-      Vector<Real> y{load<Real>(weights + 4 * stride + j), 0, 0};
+      Vector<Single> y{load<Single>(weights + 4 * stride + j), 0, 0};
       for (int k = 0; k < 4; ++k)
-        y +=
-            load<Real>(weights + k * stride + j) * Vector<Real>{Real(q[3 * k]), Real(q[3 * k + 1]), Real(q[3 * k + 2])};
+        y += load<Single>(weights + k * stride + j) *
+             Vector<Single>{Single(q[3 * k]), Single(q[3 * k + 1]), Single(q[3 * k + 2])};
       store(y.x, of.at + row + j);
       store(y.y, of.at + row + stride + j);
       store(y.z, of.at + row + 2 * stride + j);
       if (!of.before) continue;
-      const Vector<Real> moved = y - vector(of.before + row + j, stride);
-      near &= !anywhere<Real>(!(dot(moved, moved) <= of.most_moved));
+      const Vector<Single> moved = y - vector<Single>(of.before + row + j, stride);
+      near &= !anywhere<Single>(!(dot(moved, moved) <= of.most_moved));
     }
     return near;
   }
@@ -92,192 +93,248 @@ class BeadKernelsOf {
     __builtin_prefetch(row + 2 * rows.stride);
   }
 
-  static Vector<Real> vector(const double* row, long stride) {
-    return {load<Real>(row), load<Real>(row + stride), load<Real>(row + 2 * stride)};
+  template <class Number>
+  static Vector<Number> vector(const double* row, long stride) {
+    return {load<Number>(row), load<Number>(row + stride), load<Number>(row + 2 * stride)};
   }
-  static Vector<Real> one(const double* row, long stride) {
-    return {Real(row[0]), Real(row[stride]), Real(row[2 * stride])};
+  static Vector<Real> beads_of_b(const double* row, long stride) {
+    return {repeated<Real>(row), repeated<Real>(row + stride), repeated<Real>(row + 2 * stride)};
+  }
+  static Vector<Real> same(const double* of) { return {Real(of[0]), Real(of[1]), Real(of[2])}; }
+
+  /// Some beads of a segment a. Behind the last one is nowhere, but not where that is behind those of b.
+  template <int count>
+  struct BeadsOfA {
+    static constexpr int groups = (count + at_once - 1) / at_once;
+    Vector<Real> at[groups];
+    BeadsOfA(const double* row, long stride) {
+      for (int g = 0, i = 0; g < groups; ++g, i += at_once) {
+        if (i + at_once <= count)
+          at[g] = {each<Real>(row + i), each<Real>(row + stride + i), each<Real>(row + 2 * stride + i)};
+        else
+          at[g] = {each<Real>(row[i], -nowhere), Real(row[stride + i]), Real(row[2 * stride + i])};
+      }
+    }
+  };
+
+  /// Calls `use` with the first bead of each four, and, as a constant, how many these are.
+  template <class Use>
+  [[gnu::always_inline]] static void four_at_a_time(int count, const Use& use) {
+    for (int first = 0; first < count; first += 4) {
+      switch (count - first) {
+        case 1:
+          use.template operator()<1>(first);
+          break;
+        case 2:
+          use.template operator()<2>(first);
+          break;
+        case 3:
+          use.template operator()<3>(first);
+          break;
+        default:
+          use.template operator()<4>(first);
+      }
+    }
   }
 
-  /// A number of beads that is not known beforehand.
-  static constexpr int any = 0;
+  /// Puts another squared distance where beads of a pair are screened.
+  struct Screen {
+    const double *arc_a, *arc_b;
+    double arc_on, length;
+    Screen(const BeadPairs& pairs, int pair, int a, int first)
+        : arc_a(pairs.rows.arc + static_cast<long>(pairs.rows.stride) * a + first),
+          arc_b(pairs.rows.arc + static_cast<long>(pairs.rows.stride) * pairs.partner[pair]),
+          arc_on(pairs.arc_on[pair]),
+          length(pairs.screening_length[pairs.material[a] * pairs.materials + pairs.material[pairs.partner[pair]]]) {}
+    Real operator()(const Real& squared, int i, int j, double instead) const {
+      const Real along = repeated<Real>(arc_b + j) + arc_on - each<Real>(arc_a + i);
+      return select(absolute(along) < Real(length), Real(instead), squared);
+    }
+  };
+  struct NoScreen {
+    Real operator()(const Real& squared, int, int, double) const { return squared; }
+  };
 
-  /// The pairs of segment a, which has `known` beads.
-  template <int known>
-  static void measure_segment(const BeadMeasuring& of, int a, double& closest) {
-    for (int p = of.first_pair[a]; p < of.first_pair[a + 1]; ++p) {
-      const int b = of.partner[p];
-      prefetch(of.rows, of.partner[p + ahead]);
-      const int materials = of.material[a] * of.materials + of.material[b];
-      const double squared =
-          of.near_along[p] ? least<known, true>(of, a, b, of.arc_on[p]) : least<known, false>(of, a, b, 0);
+  /// The pairs of `count` beads of segment a, from `first` on.
+  template <int count>
+  static void measure_beads(const BeadMeasuring& of, int a, int first, double& closest) {
+    const BeadPairs& pairs = of.pairs;
+    const BeadsOfA<count> beads(pairs.rows.row(a) + first, pairs.rows.stride);
+    for (int p = pairs.first_pair[a]; p < pairs.first_pair[a + 1]; ++p) {
+      prefetch(pairs.rows, pairs.partner[p + ahead]);
+      double squared =
+          pairs.near_along[p] ? least(pairs, p, beads, Screen(pairs, p, a, first)) : least(pairs, p, beads, NoScreen());
+      if (first > 0) squared = minimum(squared, of.squared[p]);
       of.squared[p] = squared;
-      const double relative = squared * of.inverse_square[materials];
-      closest = relative < closest ? relative : closest;
+      const int materials = pairs.material[a] * pairs.materials + pairs.material[pairs.partner[p]];
+      closest = minimum(closest, squared * of.inverse_square[materials]);
     }
   }
 
   /// The least squared distance of two beads.
-  template <int known, bool screened>
-  [[gnu::always_inline]] static double least(const BeadMeasuring& of, int a, int b, double arc_on) {
-    const BeadRows& rows = of.rows;
-    const int stride = rows.stride, count = known == any ? rows.count[a] : known;
-    const double *of_a = rows.row(a), *of_b = rows.row(b, of.image);
-    const double screening_length = of.screening_length[of.material[a] * of.materials + of.material[b]];
-    const Vector<Real> displacement = one(of.displacement, 1);
+  template <int count, class Screened>
+  [[gnu::always_inline]] static double least(const BeadPairs& pairs, int pair, const BeadsOfA<count>& beads,
+                                             const Screened& screen) {
+    const int b = pairs.partner[pair], stride = pairs.rows.stride;
+    const double* row = pairs.rows.row(b, pairs.image);
+    const Vector<Real> displacement = same(pairs.displacement);
     Real nearest = infinity;
-    for (int j = 0; j < rows.count[b]; j += step) {
-      const Vector<Real> at_b = vector(of_b + j, stride) + displacement;
-      for (int i = 0; i < count; ++i) {
-        const Vector<Real> apart = one(of_a + i, stride) - at_b;
-        Real squared = dot(apart, apart);
-        if constexpr (screened)
-          squared = select(is_screened(rows, a, i, b, j, arc_on, screening_length), Real(infinity), squared);
-        nearest = minimum(nearest, squared);
+    for (int j = 0; j < pairs.rows.count[b]; j += step) {
+      const Vector<Real> at_b = beads_of_b(row + j, stride) + displacement;
+      for (int g = 0; g < beads.groups; ++g) {
+        const Vector<Real> apart = beads.at[g] - at_b;
+        nearest = minimum(nearest, screen(dot(apart, apart), g * at_once, j, infinity));
       }
     }
-    return least_of(nearest);
-  }
-
-  static auto is_screened(const BeadRows& rows, int a, int i, int b, int j, double arc_on, double screening_length) {
-    const Real arc_a = rows.arc[a * static_cast<long>(rows.stride) + i];
-    const Real arc_b = load<Real>(rows.arc + b * static_cast<long>(rows.stride) + j);
-    return absolute(Real(arc_b + arc_on - arc_a)) < Real(screening_length);
-  }
-
-  static double least_of(const Real& x) {
     if constexpr (Pack<Real>)
-      return hmin(x);
+      return hmin(nearest);
     else
-      return x;
+      return nearest;
   }
 
-  /// All contacts of segment a.
-  static void push_segment(const BeadPushing& of, int begin, int end, double*& outgoing, Row& energy) {
-    const long row = 3 * long{of.rows.stride};
-    const int a = of.contacts[begin].a;
-    // Where their other sides are pushed.
-    double* to[most_partners];
-    for (int some = begin; some < end; some += most_partners) {
-      const int count = end - some < most_partners ? end - some : most_partners;
-      for (int c = 0; c < count; ++c) {
-        const BeadContact& contact = of.contacts[some + c];
-        to[c] = of.push + row * (contact.b - of.first);
-        if (contact.b < of.last && contact.image == 0) continue;
-        to[c] = outgoing;
-        outgoing += row;
-        for (int i = 0; i < row; ++i) to[c][i] = 0;
-      }
-      const Contacts contacts{of, of.contacts + some, to, count};
-      double* on_a = of.push + row * (a - of.first);
-      for (int i = 0; i < of.rows.count[a]; i += 4) {
-        switch (of.rows.count[a] - i) {
-          case 1:
-            push_beads<1>(contacts, i, on_a, energy);
-            break;
-          case 2:
-            push_beads<2>(contacts, i, on_a, energy);
-            break;
-          case 3:
-            push_beads<3>(contacts, i, on_a, energy);
-            break;
-          default:
-            push_beads<4>(contacts, i, on_a, energy);
-        }
-      }
+  /// Which pairs touch, in order. A branch would often be taken wrongly.
+  static int list_touching(const BeadPushing& of) {
+    int count = 0;
+    for (int p = of.pairs.first_pair[of.first]; p < of.pairs.first_pair[of.last]; ++p) {
+      of.touching[count] = p;
+      count += of.squared[p] * of.inverse_square[p] < 1;
     }
+    return count;
   }
 
-  static constexpr int most_partners = 64;
-  /// Contacts of one segment a.
+  /// Segment a, and where those of BeadPushing::touching that are its pairs begin and end.
   struct Contacts {
-    const BeadPushing& push;
-    const BeadContact* all;
-    double* const* to;
-    int count;
+    int a, begin, end;
   };
+  /// Where the next contact that leaves the range pushes b.
+  struct Outgoing {
+    double* row;
+    std::int32_t* pair;
+  };
+  struct Energy {
+    SumsOfB<Real> part[parts];
+  };
+
+  static void push_segment(const BeadPushing& of, const Contacts& contacts, Outgoing& outgoing, Energy& energy) {
+    const Outgoing start = outgoing;
+    four_at_a_time(of.pairs.rows.count[contacts.a], [&]<int count>(int first) {
+      outgoing = start;
+      push_beads<count>(of, contacts, first, outgoing, energy);
+    });
+  }
 
   /// `count` beads of segment a, from `first` on.
   template <int count>
-  static void push_beads(const Contacts& of, int first, double* on_a, Row& energy) {
-    Row total[3 * count];
-#pragma GCC unroll 64  // else it becomes a call of memset
-    for (Row& row : total)
-#pragma GCC unroll 4
-      for (Real& part : row.part) part = 0;
-    for (int c = 0; c < of.count; ++c) {
-      const BeadContact& contact = of.all[c];
-      const Material &a = of.push.materials[of.push.material[contact.a]],
-                     &b = of.push.materials[of.push.material[contact.b]];
-      const double k = a.contact_stiffness;
-      if (&a == &b && a.law == ContactLaw::barrier)
-        push_pair<count>([k](const Real& u) { return barrier(k, u); }, of.push, contact, first, total, of.to[c],
-                         energy);
+  static void push_beads(const BeadPushing& of, const Contacts& contacts, int first, Outgoing& outgoing,
+                         Energy& energy) {
+    const BeadPairs& pairs = of.pairs;
+    const int a = contacts.a, stride = pairs.rows.stride;
+    const BeadsOfA<count> beads(pairs.rows.row(a) + first, stride);
+    Vector<SumsOfA<Real>> total;
+    for (int c = contacts.begin; c < contacts.end; ++c) {
+      const int p = of.touching[c];
+      double* on_b = row_of_b(of, p, first == 0, outgoing);
+      if (pairs.near_along[p])
+        push_pair(of, p, a, beads, Screen(pairs, p, a, first), total, on_b, energy);
       else
-        push_pair<count>([&](const Real& u) { return penalty(a, b, u); }, of.push, contact, first, total, of.to[c],
-                         energy);
+        push_pair(of, p, a, beads, NoScreen(), total, on_b, energy);
     }
-    for (int c = 0; c < 3; ++c)
-      for (int i = 0; i < count; ++i) on_a[c * of.push.rows.stride + first + i] += sum(total[3 * i + c]);
+    double* on_a = of.push + 3 * stride * long{a - of.first} + first;
+    add(added(total.x), on_a);
+    add(added(total.y), on_a + stride);
+    add(added(total.z), on_a + 2 * stride);
   }
 
+  static void add(const Row<Real>& row, double* to) { store(load_row<Real>(to) + row, to); }
+
+  /// Where what pushes b is added up.
+  static double* row_of_b(const BeadPushing& of, int pair, bool is_new, Outgoing& outgoing) {
+    const int row = 3 * of.pairs.rows.stride, b = of.pairs.partner[pair];
+    if (b < of.reach) return of.push + row * long{b - of.first};
+    double* on_b = outgoing.row;
+    if (is_new)
+      for (int i = 0; i < row; ++i) on_b[i] = 0;
+    *outgoing.pair++ = pair;
+    outgoing.row += row;
+    return on_b;
+  }
+
+  template <int count, class Screened>
+  [[gnu::always_inline]] static void push_pair(const BeadPushing& of, int pair, int segment,
+                                               const BeadsOfA<count>& beads, const Screened& screen,
+                                               Vector<SumsOfA<Real>>& total, double* on_b, Energy& energy) {
+    const Material &a = of.materials[of.pairs.material[segment]],
+                   &b = of.materials[of.pairs.material[of.pairs.partner[pair]]];
+    const double k = a.contact_stiffness;
+    const Contact contact{of.spacing[segment] * of.spacing[of.pairs.partner[pair]], of.inverse_square[pair], on_b};
+    if (&a == &b && a.law == ContactLaw::barrier)
+      push_pair([k](const Real& u) { return barrier(k, u); }, of.pairs, pair, beads, screen, contact, total, energy);
+    else
+      push_pair([&](const Real& u) { return penalty(a, b, u); }, of.pairs, pair, beads, screen, contact, total, energy);
+  }
+
+  struct Contact {
+    double weight;          // l_a l_b / (n_a n_b), m² (Ding et al. 2023, Eqs. 17-21 as corrected)
+    double inverse_square;  // 1/d², 1/m²
+    double* on_b;
+  };
+
   /// The law is asked about all beads, and answers nothing at the distance of just touching.
-  template <int count, class Law>
-  [[gnu::always_inline]] static void push_pair(const Law& law, const BeadPushing& pushing, const BeadContact& of,
-                                               int first, Row (&total)[3 * count], double* on_b, Row& energy) {
-    const BeadRows& rows = pushing.rows;
-    const int stride = rows.stride;
-    const Vector<Real> displacement = one(pushing.displacements + 3 * of.image, 1);
-    const double *row_a = rows.row(of.a) + first, *row_b = rows.row(of.b, pushing.images[of.image]);
-    const double inverse_square = 1 / (of.diameter * of.diameter);
-    const double scale = -of.weight * inverse_square;
-    for (int j = 0; j < rows.count[of.b]; j += step) {
-      const int part = j % row_step / step;
-      const Vector<Real> at_b = vector(row_b + j, stride) + displacement;
-      Vector<Real> sum_b;
-      Real value = 0;
-      for (int i = 0; i < count; ++i) {
-        const Vector<Real> apart = one(row_a + i, stride) - at_b;
-        Real squared = dot(apart, apart) * inverse_square;
-        if (of.screening_length > 0)
-          squared =
-              select(is_screened(rows, of.a, first + i, of.b, j, of.arc_on, of.screening_length), Real(1), squared);
+  template <int count, class Law, class Screened>
+  [[gnu::always_inline]] static void push_pair(const Law& law, const BeadPairs& pairs, int pair,
+                                               const BeadsOfA<count>& beads, const Screened& screen,
+                                               const Contact& contact, Vector<SumsOfA<Real>>& total, Energy& energy) {
+    const int b = pairs.partner[pair], stride = pairs.rows.stride;
+    const double* row = pairs.rows.row(b, pairs.image);
+    const Vector<Real> displacement = same(pairs.displacement);
+    const double scale = -contact.weight * contact.inverse_square;
+    for (int j = 0; j < pairs.rows.count[b]; j += step) {
+      const int part = j / step % parts;
+      const Vector<Real> at_b = beads_of_b(row + j, stride) + displacement;
+      Vector<SumsOfB<Real>> sum_b;
+      SumsOfB<Real> value;
+      for (int g = 0; g < beads.groups; ++g) {
+        const int side = g % sides;
+        const Vector<Real> apart = beads.at[g] - at_b;
+        const Real squared = screen(Real(dot(apart, apart) * contact.inverse_square), g * at_once, j, 1);
         const Penalty<Real> f = law(minimum(squared, Real(1)));
         const Vector<Real> push = Real(scale * f.slope) * apart;
-        value += f.value;
-        total[3 * i].part[part] += push.x;
-        total[3 * i + 1].part[part] += push.y;
-        total[3 * i + 2].part[part] += push.z;
-        sum_b += push;
+        value.of[side] += f.value;
+        total.x.of[g][part] += push.x;
+        total.y.of[g][part] += push.y;
+        total.z.of[g][part] += push.z;
+        sum_b.x.of[side] += push.x;
+        sum_b.y.of[side] += push.y;
+        sum_b.z.of[side] += push.z;
       }
-      energy.part[part] += of.weight * value;
-      subtract(sum_b.x, on_b + j);
-      subtract(sum_b.y, on_b + stride + j);
-      subtract(sum_b.z, on_b + 2 * stride + j);
+      for (int side = 0; side < sides; ++side) energy.part[part].of[side] += contact.weight * value.of[side];
+      subtract(added(sum_b.x), contact.on_b + j);
+      subtract(added(sum_b.y), contact.on_b + stride + j);
+      subtract(added(sum_b.z), contact.on_b + 2 * stride + j);
     }
+  }
+
+  static void subtract(const Single& x, double* from) { store(Single(load<Single>(from) - x), from); }
+
+  static double sum(const Energy& energy) {
+    Row<Real> row;
+    for (int part = 0; part < parts; ++part) row.part[part] = added(energy.part[part]);
+    return wale::sum(row);
   }
 
   /// On the four control points of a segment, what pushes its beads.
-  static void spread_row(const BeadSpreading& of, int segment, const double* push) {
+  static Vector<Row<Real>> spread_row(const BeadSpreading& of, int segment, const double* push) {
     const double* weights = of.weights + row_step * long{of.stride} * of.count[segment];
-    double* force = of.force + (of.first_point[segment] - of.origin);
-    for (int k = 0; k < row_step; k += step) {
-      Vector<Real> sum = vector(force + k, of.force_stride);
-      for (int bead = 0; bead < of.count[segment]; ++bead)
-        sum += load<Real>(weights + row_step * bead + k) * one(push + bead, of.stride);
-      store(sum.x, force + k);
-      store(sum.y, force + of.force_stride + k);
-      store(sum.z, force + 2 * of.force_stride + k);
+    Vector<Row<Real>> sum;
+    for (int bead = 0; bead < of.count[segment]; ++bead) {
+      const Row<Real> weight = load_row<Real>(weights + row_step * bead);
+      for (int k = 0; k < parts; ++k) {
+        sum.x.part[k] += weight.part[k] * push[bead];
+        sum.y.part[k] += weight.part[k] * push[of.stride + bead];
+        sum.z.part[k] += weight.part[k] * push[2 * of.stride + bead];
+      }
     }
-  }
-
-  static void subtract(const Real& x, double* from) { store(Real(load<Real>(from) - x), from); }
-  /// (0 + 2) + (1 + 3), as reduce() of four lanes has it.
-  static double sum(const Row& row) {
-    if constexpr (Pack<Real>)
-      return reduce(row.part[0]);
-    else
-      return (row.part[0] + row.part[2]) + (row.part[1] + row.part[3]);
+    return sum;
   }
 };
 

@@ -1,5 +1,4 @@
-/// Fills a table of kernels. `Wide` is the number type that runs over segments, `Four` the one that runs over four
-/// beads.
+/// Fills a table of kernels, which run on one number type.
 #pragma once
 
 #include "sim/kernels/along_yarn_kernel.hpp"
@@ -8,16 +7,16 @@
 
 namespace wale {
 
-template <class Wide, class Four>
-inline constexpr Kernels kernels_of{{&AlongYarnKernel<Wide, StretchLaw>::add},
-                                    {&AlongYarnKernel<Wide, BendLaw>::add},
-                                    {&AlongYarnKernel<Wide, SetBendLaw>::add},
-                                    {&AlongYarnKernel<Wide, GravityLaw>::add},
-                                    {&AlongYarnKernel<Wide, DragLaw>::add},
-                                    {&AlongYarnKernel<Wide, PlatesLaw>::add},
-                                    {&AlongYarnKernel<Wide, TetherLaw>::add},
-                                    {&AlongYarnKernel<Wide, ObstacleLaw>::add},
-                                    {&BeadKernelsOf<Four>::locate, &BeadKernelsOf<Four>::measure,
-                                     &BeadKernelsOf<Four>::push, &BeadKernelsOf<Four>::spread}};
+template <class Real>
+inline constexpr Kernels kernels_of{{&AlongYarnKernel<Real, StretchLaw>::add},
+                                    {&AlongYarnKernel<Real, BendLaw>::add},
+                                    {&AlongYarnKernel<Real, SetBendLaw>::add},
+                                    {&AlongYarnKernel<Real, GravityLaw>::add},
+                                    {&AlongYarnKernel<Real, DragLaw>::add},
+                                    {&AlongYarnKernel<Real, PlatesLaw>::add},
+                                    {&AlongYarnKernel<Real, TetherLaw>::add},
+                                    {&AlongYarnKernel<Real, ObstacleLaw>::add},
+                                    {&BeadKernelsOf<Real>::locate, &BeadKernelsOf<Real>::measure,
+                                     &BeadKernelsOf<Real>::push, &BeadKernelsOf<Real>::spread}};
 
 }  // namespace wale

@@ -5,7 +5,7 @@ namespace wale {
 
 template <class Real>
 struct Vector {
-  Real x = 0, y = 0, z = 0;
+  Real x{}, y{}, z{};
 
   Vector& operator+=(const Vector& b) { return *this = *this + b; }
   friend Vector operator+(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
