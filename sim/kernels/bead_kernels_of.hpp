@@ -39,12 +39,18 @@ class BeadKernelsOf {
     const int count = list_touching(of);
     Energy energy{};
     Outgoing out{of.outgoing, of.outgoing_pair};
-    for (int a = of.first, begin = 0, end = 0; begin < count; begin = end, ++a) {
-      while (end < count && of.touching[end] < of.pairs.first_pair[a + 1]) {
+    for (int a = of.first, begin = 0, end = 0; begin < count; begin = end) {
+      while (of.touching[begin] >= of.pairs.first_pair[a + 1]) ++a;
+      const bool plain = is_plain(of, a, of.touching[begin]);
+      do {
         if (end + ahead < count) prefetch(of.pairs.rows, of.pairs.partner[of.touching[end + ahead]]);
         ++end;
-      }
-      if (begin < end) push_segment(of, {a, begin, end}, out, energy);
+      } while (end < count && of.touching[end] < of.pairs.first_pair[a + 1] &&
+               is_plain(of, a, of.touching[end]) == plain);
+      if (plain)
+        push_segment<Plain>(of, {a, begin, end}, out, energy);
+      else
+        push_segment<Any>(of, {a, begin, end}, out, energy);
     }
     return {sum(energy), static_cast<int>(out.pair - of.outgoing_pair)};
   }
@@ -108,7 +114,9 @@ class BeadKernelsOf {
     static constexpr int groups = (count + at_once - 1) / at_once;
     Vector<Real> at[groups];
     BeadsOfA(const double* row, long stride) {
-      for (int g = 0, i = 0; g < groups; ++g, i += at_once) {
+#pragma GCC unroll 4
+      for (int g = 0; g < groups; ++g) {
+        const int i = g * at_once;
         if (i + at_once <= count)
           at[g] = {each<Real>(row + i), each<Real>(row + stride + i), each<Real>(row + 2 * stride + i)};
         else
@@ -145,7 +153,7 @@ class BeadKernelsOf {
         : arc_a(pairs.rows.arc + static_cast<long>(pairs.rows.stride) * a + first),
           arc_b(pairs.rows.arc + static_cast<long>(pairs.rows.stride) * pairs.partner[pair]),
           arc_on(pairs.arc_on[pair]),
-          length(pairs.screening_length[pairs.material[a] * pairs.materials + pairs.material[pairs.partner[pair]]]) {}
+          length(pairs.near_along[pair] ? pairs.screening_length[materials_of(pairs, pair, a)] : 0) {}
     Real operator()(const Real& squared, int i, int j, double instead) const {
       const Real along = repeated<Real>(arc_b + j) + arc_on - each<Real>(arc_a + i);
       return select(absolute(along) < Real(length), Real(instead), squared);
@@ -154,6 +162,9 @@ class BeadKernelsOf {
   struct NoScreen {
     Real operator()(const Real& squared, int, int, double) const { return squared; }
   };
+  static int materials_of(const BeadPairs& pairs, int pair, int a) {
+    return pairs.material[a] * pairs.materials + pairs.material[pairs.partner[pair]];
+  }
 
   /// The pairs of `count` beads of segment a, from `first` on.
   template <int count>
@@ -166,8 +177,7 @@ class BeadKernelsOf {
           pairs.near_along[p] ? least(pairs, p, beads, Screen(pairs, p, a, first)) : least(pairs, p, beads, NoScreen());
       if (first > 0) squared = minimum(squared, of.squared[p]);
       of.squared[p] = squared;
-      const int materials = pairs.material[a] * pairs.materials + pairs.material[pairs.partner[p]];
-      closest = minimum(closest, squared * of.inverse_square[materials]);
+      closest = minimum(closest, squared * of.inverse_square[materials_of(pairs, p, a)]);
     }
   }
 
@@ -181,6 +191,7 @@ class BeadKernelsOf {
     Real nearest = infinity;
     for (int j = 0; j < pairs.rows.count[b]; j += step) {
       const Vector<Real> at_b = beads_of_b(row + j, stride) + displacement;
+#pragma GCC unroll 4
       for (int g = 0; g < beads.groups; ++g) {
         const Vector<Real> apart = beads.at[g] - at_b;
         nearest = minimum(nearest, screen(dot(apart, apart), g * at_once, j, infinity));
@@ -215,29 +226,50 @@ class BeadKernelsOf {
     SumsOfB<Real> part[parts];
   };
 
+  /// The law of nearly all contacts: the barrier between beads of one material, none of which is screened.
+  struct Plain {
+    double stiffness;
+    Plain(const BeadPushing& of, int, int a, int) : stiffness(of.materials[of.pairs.material[a]].contact_stiffness) {}
+    Penalty<Real> operator()(const Real& squared, int, int) const { return barrier(stiffness, squared); }
+  };
+  static bool is_plain(const BeadPushing& of, int a, int pair) {
+    const BeadPairs& pairs = of.pairs;
+    return pairs.material[a] == pairs.material[pairs.partner[pair]] && !pairs.near_along[pair] &&
+           of.materials[pairs.material[a]].law == ContactLaw::barrier;
+  }
+  struct Any {
+    const Material &a, &b;
+    Screen screen;
+    Any(const BeadPushing& of, int pair, int segment, int first)
+        : a(of.materials[of.pairs.material[segment]]),
+          b(of.materials[of.pairs.material[of.pairs.partner[pair]]]),
+          screen(of.pairs, pair, segment, first) {}
+    Penalty<Real> operator()(const Real& squared, int i, int j) const {
+      return penalty(a, b, screen(squared, i, j, 1));
+    }
+  };
+
+  template <class Law>
   static void push_segment(const BeadPushing& of, const Contacts& contacts, Outgoing& outgoing, Energy& energy) {
     const Outgoing start = outgoing;
     four_at_a_time(of.pairs.rows.count[contacts.a], [&]<int count>(int first) {
       outgoing = start;
-      push_beads<count>(of, contacts, first, outgoing, energy);
+      push_beads<Law, count>(of, contacts, first, outgoing, energy);
     });
   }
 
   /// `count` beads of segment a, from `first` on.
-  template <int count>
+  template <class Law, int count>
   static void push_beads(const BeadPushing& of, const Contacts& contacts, int first, Outgoing& outgoing,
                          Energy& energy) {
-    const BeadPairs& pairs = of.pairs;
-    const int a = contacts.a, stride = pairs.rows.stride;
-    const BeadsOfA<count> beads(pairs.rows.row(a) + first, stride);
+    const int a = contacts.a, stride = of.pairs.rows.stride;
+    const BeadsOfA<count> beads(of.pairs.rows.row(a) + first, stride);
     Vector<SumsOfA<Real>> total;
     for (int c = contacts.begin; c < contacts.end; ++c) {
-      const int p = of.touching[c];
-      double* on_b = row_of_b(of, p, first == 0, outgoing);
-      if (pairs.near_along[p])
-        push_pair(of, p, a, beads, Screen(pairs, p, a, first), total, on_b, energy);
-      else
-        push_pair(of, p, a, beads, NoScreen(), total, on_b, energy);
+      const int p = of.touching[c], b = of.pairs.partner[p];
+      const Contact contact{b, of.spacing[a] * of.spacing[b], of.inverse_square[p],
+                            row_of_b(of, p, first == 0, outgoing)};
+      push_pair(Law(of, p, a, first), of.pairs, contact, beads, total, energy);
     }
     double* on_a = of.push + 3 * stride * long{a - of.first} + first;
     add(added(total.x), on_a);
@@ -259,45 +291,33 @@ class BeadKernelsOf {
     return on_b;
   }
 
-  template <int count, class Screened>
-  [[gnu::always_inline]] static void push_pair(const BeadPushing& of, int pair, int segment,
-                                               const BeadsOfA<count>& beads, const Screened& screen,
-                                               Vector<SumsOfA<Real>>& total, double* on_b, Energy& energy) {
-    const Material &a = of.materials[of.pairs.material[segment]],
-                   &b = of.materials[of.pairs.material[of.pairs.partner[pair]]];
-    const double k = a.contact_stiffness;
-    const Contact contact{of.spacing[segment] * of.spacing[of.pairs.partner[pair]], of.inverse_square[pair], on_b};
-    if (&a == &b && a.law == ContactLaw::barrier)
-      push_pair([k](const Real& u) { return barrier(k, u); }, of.pairs, pair, beads, screen, contact, total, energy);
-    else
-      push_pair([&](const Real& u) { return penalty(a, b, u); }, of.pairs, pair, beads, screen, contact, total, energy);
-  }
-
   struct Contact {
+    int b;
     double weight;          // l_a l_b / (n_a n_b), m² (Ding et al. 2023, Eqs. 17-21 as corrected)
     double inverse_square;  // 1/d², 1/m²
     double* on_b;
   };
 
   /// The law is asked about all beads, and answers nothing at the distance of just touching.
-  template <int count, class Law, class Screened>
-  [[gnu::always_inline]] static void push_pair(const Law& law, const BeadPairs& pairs, int pair,
-                                               const BeadsOfA<count>& beads, const Screened& screen,
-                                               const Contact& contact, Vector<SumsOfA<Real>>& total, Energy& energy) {
-    const int b = pairs.partner[pair], stride = pairs.rows.stride;
-    const double* row = pairs.rows.row(b, pairs.image);
+  template <int count, class Law>
+  [[gnu::always_inline]] static void push_pair(const Law& law, const BeadPairs& pairs, const Contact& contact,
+                                               const BeadsOfA<count>& beads, Vector<SumsOfA<Real>>& total,
+                                               Energy& energy) {
+    const int stride = pairs.rows.stride;
+    const double* row = pairs.rows.row(contact.b, pairs.image);
     const Vector<Real> displacement = same(pairs.displacement);
     const double scale = -contact.weight * contact.inverse_square;
-    for (int j = 0; j < pairs.rows.count[b]; j += step) {
+    for (int j = 0; j < pairs.rows.count[contact.b]; j += step) {
       const int part = j / step % parts;
       const Vector<Real> at_b = beads_of_b(row + j, stride) + displacement;
       Vector<SumsOfB<Real>> sum_b;
       SumsOfB<Real> value;
+#pragma GCC unroll 4
       for (int g = 0; g < beads.groups; ++g) {
         const int side = g % sides;
         const Vector<Real> apart = beads.at[g] - at_b;
-        const Real squared = screen(Real(dot(apart, apart) * contact.inverse_square), g * at_once, j, 1);
-        const Penalty<Real> f = law(minimum(squared, Real(1)));
+        const Real squared = minimum(Real(dot(apart, apart) * contact.inverse_square), Real(1));
+        const Penalty<Real> f = law(squared, g * at_once, j);
         const Vector<Real> push = Real(scale * f.slope) * apart;
         value.of[side] += f.value;
         total.x.of[g][part] += push.x;
@@ -307,6 +327,7 @@ class BeadKernelsOf {
         sum_b.y.of[side] += push.y;
         sum_b.z.of[side] += push.z;
       }
+#pragma GCC unroll 2
       for (int side = 0; side < sides; ++side) energy.part[part].of[side] += contact.weight * value.of[side];
       subtract(added(sum_b.x), contact.on_b + j);
       subtract(added(sum_b.y), contact.on_b + stride + j);
