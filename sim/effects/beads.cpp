@@ -86,7 +86,6 @@ void Beads::set_up_kernels() {
     for (std::size_t b = 0; b < materials; ++b) {
       const double d = (fabric_.materials[a].diameter + fabric_.materials[b].diameter) / 2;
       diameter_.push_back(d);
-      inverse_square_.push_back(1 / (d * d));
       screening_length_.push_back(screening_ * d);
     }
   index_pairs();
@@ -324,11 +323,13 @@ void Beads::index_pairs() {
   partner_.clear();
   near_along_.clear();
   arc_on_.clear();
+  inverse_square_.clear();
   for (const SegmentPair& pair : pairs_) {
     partner_.push_back(pair.b);
     near_along_.push_back(runs_on(pair) && arc(pair.b, 0) + arc_on(pair) - arc(pair.a, count(pair.a) - 1) <
                                                screening_length(pair.a, pair.b));
     arc_on_.push_back(arc_on(pair));
+    inverse_square_.push_back(1 / (diameter(pair.a, pair.b) * diameter(pair.a, pair.b)));
   }
   partner_.resize(pairs_.size() + pair_padding);
   squared_.resize(pairs_.size());

@@ -186,8 +186,8 @@ class Beads {
   std::vector<std::int32_t> first_point_, material_, partner_;
   std::vector<std::int32_t> first_pair_;  // by image and segment, with one behind the last
   std::vector<std::uint8_t> near_along_;
-  std::vector<double> arc_on_, squared_;
-  std::vector<double> diameter_, inverse_square_, screening_length_;  // by both materials
+  std::vector<double> arc_on_, inverse_square_, squared_;
+  std::vector<double> diameter_, screening_length_;  // by both materials
 };
 
 }  // namespace wale

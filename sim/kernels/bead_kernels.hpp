@@ -56,7 +56,7 @@ struct BeadPairs {
 
 struct BeadMeasuring {
   BeadPairs pairs;
-  const double* inverse_square = nullptr;  ///< 1/d² for each two materials, 1/m²
+  const double* inverse_square = nullptr;  ///< by pair: 1/d², 1/m²
   double* squared = nullptr;               ///< by pair, to fill: the least squared distance of two beads, m²
 };
 

@@ -29,10 +29,9 @@ class BeadKernelsOf {
   }
 
   static double measure(const BeadMeasuring& of, int first, int last) {
-    double closest = infinity;
     for (int a = first; a < last; ++a)
-      four_at_a_time(of.pairs.rows.count[a], [&]<int count>(int i) { measure_beads<count>(of, a, i, closest); });
-    return closest;
+      four_at_a_time(of.pairs.rows.count[a], [&]<int count>(int i) { measure_beads<count>(of, a, i); });
+    return closest(of, of.pairs.first_pair[first], of.pairs.first_pair[last]);
   }
 
   static BeadPushed push(const BeadPushing& of) {
@@ -168,26 +167,32 @@ class BeadKernelsOf {
 
   /// The pairs of `count` beads of segment a, from `first` on.
   template <int count>
-  static void measure_beads(const BeadMeasuring& of, int a, int first, double& closest) {
+  static void measure_beads(const BeadMeasuring& of, int a, int first) {
     const BeadPairs& pairs = of.pairs;
     const BeadsOfA<count> beads(pairs.rows.row(a) + first, pairs.rows.stride);
+    const Vector<Real> displacement = same(pairs.displacement);
     for (int p = pairs.first_pair[a]; p < pairs.first_pair[a + 1]; ++p) {
       prefetch(pairs.rows, pairs.partner[p + ahead]);
-      double squared =
-          pairs.near_along[p] ? least(pairs, p, beads, Screen(pairs, p, a, first)) : least(pairs, p, beads, NoScreen());
+      double squared = pairs.near_along[p] ? least(pairs, p, beads, displacement, Screen(pairs, p, a, first))
+                                           : least(pairs, p, beads, displacement, NoScreen());
       if (first > 0) squared = minimum(squared, of.squared[p]);
       of.squared[p] = squared;
-      closest = minimum(closest, squared * of.inverse_square[materials_of(pairs, p, a)]);
     }
+  }
+
+  /// Of pairs first ... last - 1.
+  static double closest(const BeadMeasuring& of, int first, int last) {
+    double closest = infinity;
+    for (int p = first; p < last; ++p) closest = minimum(closest, of.squared[p] * of.inverse_square[p]);
+    return closest;
   }
 
   /// The least squared distance of two beads.
   template <int count, class Screened>
   [[gnu::always_inline]] static double least(const BeadPairs& pairs, int pair, const BeadsOfA<count>& beads,
-                                             const Screened& screen) {
+                                             const Vector<Real>& displacement, const Screened& screen) {
     const int b = pairs.partner[pair], stride = pairs.rows.stride;
     const double* row = pairs.rows.row(b, pairs.image);
-    const Vector<Real> displacement = same(pairs.displacement);
     Real nearest = infinity;
     for (int j = 0; j < pairs.rows.count[b]; j += step) {
       const Vector<Real> at_b = beads_of_b(row + j, stride) + displacement;
@@ -244,7 +249,7 @@ class BeadKernelsOf {
         : a(of.materials[of.pairs.material[segment]]),
           b(of.materials[of.pairs.material[of.pairs.partner[pair]]]),
           screen(of.pairs, pair, segment, first) {}
-    Penalty<Real> operator()(const Real& squared, int i, int j) const {
+    [[gnu::always_inline]] Penalty<Real> operator()(const Real& squared, int i, int j) const {
       return penalty(a, b, screen(squared, i, j, 1));
     }
   };
@@ -264,12 +269,13 @@ class BeadKernelsOf {
                          Energy& energy) {
     const int a = contacts.a, stride = of.pairs.rows.stride;
     const BeadsOfA<count> beads(of.pairs.rows.row(a) + first, stride);
+    const Vector<Real> displacement = same(of.pairs.displacement);
     Vector<SumsOfA<Real>> total;
     for (int c = contacts.begin; c < contacts.end; ++c) {
       const int p = of.touching[c], b = of.pairs.partner[p];
       const Contact contact{b, of.spacing[a] * of.spacing[b], of.inverse_square[p],
                             row_of_b(of, p, first == 0, outgoing)};
-      push_pair(Law(of, p, a, first), of.pairs, contact, beads, total, energy);
+      push_pair(Law(of, p, a, first), of.pairs, contact, beads, displacement, total, energy);
     }
     double* on_a = of.push + 3 * stride * long{a - of.first} + first;
     add(added(total.x), on_a);
@@ -301,11 +307,10 @@ class BeadKernelsOf {
   /// The law is asked about all beads, and answers nothing at the distance of just touching.
   template <int count, class Law>
   [[gnu::always_inline]] static void push_pair(const Law& law, const BeadPairs& pairs, const Contact& contact,
-                                               const BeadsOfA<count>& beads, Vector<SumsOfA<Real>>& total,
-                                               Energy& energy) {
+                                               const BeadsOfA<count>& beads, const Vector<Real>& displacement,
+                                               Vector<SumsOfA<Real>>& total, Energy& energy) {
     const int stride = pairs.rows.stride;
     const double* row = pairs.rows.row(contact.b, pairs.image);
-    const Vector<Real> displacement = same(pairs.displacement);
     const double scale = -contact.weight * contact.inverse_square;
     for (int j = 0; j < pairs.rows.count[contact.b]; j += step) {
       const int part = j / step % parts;
