@@ -35,12 +35,12 @@ class RangeOfSegments {
     work.push.assign(row * static_cast<std::size_t>(reach_ - first_), 0);
     double energy = 0;
     for (int image = 0; image < static_cast<int>(beads.images().size()); ++image) {
-      const std::size_t pairs = beads.first_pair(image, last_) - beads.first_pair(image, first_);
-      if (pairs == 0) continue;
-      const std::size_t most = outgoing_pairs_.size() + (image > 0 || beads.leaves(range) ? pairs : 0);
-      work.touching.resize(std::max(work.touching.size(), pairs));
+      const std::size_t first = beads.first_pair(image, first_), last = beads.first_pair(image, last_);
+      if (first == last) continue;
+      const std::size_t before = outgoing_pairs_.size(),
+                        most = before + (image > 0 || beads.leaves(range) ? last - first : 0);
+      work.touching.resize(std::max(work.touching.size(), 2 * (last - first)));
       work.outgoing.resize(std::max(work.outgoing.size(), row * most));
-      const std::size_t before = outgoing_pairs_.size();
       outgoing_pairs_.resize(most);
       const BeadPushed pushed = kernels().beads.push({.pairs = beads.kernel_pairs(image),
                                                       .squared = beads.squared_distances(),
@@ -48,12 +48,12 @@ class RangeOfSegments {
                                                       .spacing = by.spacing,
                                                       .materials = beads.fabric().materials.data(),
                                                       .first = first_,
-                                                      .last = last_,
                                                       .reach = image > 0 ? 0 : reach_,
                                                       .push = work.push.data(),
                                                       .touching = work.touching.data(),
                                                       .outgoing = work.outgoing.data() + row * before,
-                                                      .outgoing_pair = outgoing_pairs_.data() + before});
+                                                      .outgoing_pair = outgoing_pairs_.data() + before},
+                                                     static_cast<int>(first), static_cast<int>(last));
       outgoing_pairs_.resize(before + static_cast<std::size_t>(pushed.outgoing));
       energy += pushed.energy;
     }

@@ -175,8 +175,8 @@ BeadPairs Beads::kernel_pairs(int image) const {
   return {.rows = rows(),
           .image = image_rows_[index(image)],
           .displacement = displacements_[index(image)].data(),
-          .first_pair = first_pairs_of(image),
-          .partner = partner_.data(),
+          .a = segment_a_.data(),
+          .b = segment_b_.data(),
           .near_along = near_along_.data(),
           .arc_on = arc_on_.data(),
           .material = material_.data(),
@@ -191,7 +191,9 @@ double Beads::measure(int image) {
   double closest = std::numeric_limits<double>::infinity();
 #pragma omp parallel for schedule(static) reduction(min : closest)
   for (std::size_t i = 1; i < boundaries_.size(); ++i)
-    closest = std::min(closest, kernels().beads.measure(measuring, boundaries_[i - 1], boundaries_[i]));
+    closest =
+        std::min(closest, kernels().beads.measure(measuring, static_cast<int>(first_pair(image, boundaries_[i - 1])),
+                                                  static_cast<int>(first_pair(image, boundaries_[i]))));
   return closest;
 }
 
@@ -320,18 +322,20 @@ void Beads::find_pairs(int image, const Grid& grid, const Spheres& around) {
 
 void Beads::index_pairs() {
   first_pair_.assign(images_.size() * (index(fabric_.segment_count()) + 1), 0);
-  partner_.clear();
+  segment_a_.clear();
+  segment_b_.clear();
   near_along_.clear();
   arc_on_.clear();
   inverse_square_.clear();
   for (const SegmentPair& pair : pairs_) {
-    partner_.push_back(pair.b);
+    segment_a_.push_back(pair.a);
+    segment_b_.push_back(pair.b);
     near_along_.push_back(runs_on(pair) && arc(pair.b, 0) + arc_on(pair) - arc(pair.a, count(pair.a) - 1) <
                                                screening_length(pair.a, pair.b));
     arc_on_.push_back(arc_on(pair));
     inverse_square_.push_back(1 / (diameter(pair.a, pair.b) * diameter(pair.a, pair.b)));
   }
-  partner_.resize(pairs_.size() + pair_padding);
+  segment_b_.resize(pairs_.size() + pair_padding);
   squared_.resize(pairs_.size());
   std::size_t p = 0;
   auto first = first_pair_.begin();
@@ -350,7 +354,7 @@ void Beads::find_reaches() {
     const int first = boundaries_[i - 1], last = boundaries_[i];
     int furthest = last;
     for (std::size_t p = first_pair(0, first); p < first_pair(0, last); ++p)
-      furthest = std::max(furthest, partner_[p] + 1);
+      furthest = std::max(furthest, pairs_[p].b + 1);
     furthest_.push_back(furthest);
     reaches_.push_back(std::min(furthest, 2 * last - first));
   }

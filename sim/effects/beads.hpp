@@ -183,7 +183,7 @@ class Beads {
   std::vector<int> boundaries_;
   std::vector<int> furthest_, reaches_;  // by range, one behind the last segment
   std::vector<double> rows_, listed_rows_, arc_rows_, weights_, spread_weights_;
-  std::vector<std::int32_t> first_point_, material_, partner_;
+  std::vector<std::int32_t> first_point_, material_, segment_a_, segment_b_;
   std::vector<std::int32_t> first_pair_;  // by image and segment, with one behind the last
   std::vector<std::uint8_t> near_along_;
   std::vector<double> arc_on_, inverse_square_, squared_;

@@ -6,7 +6,7 @@ namespace wale {
 namespace {
 using Four = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, 4>>;
 }
-constinit const Kernels avx2_kernels = kernels_of<Four>;
+constinit const Kernels avx2_kernels = kernels_of<Four, Four>;
 #endif
 
 }  // namespace wale

@@ -45,8 +45,8 @@ struct BeadPairs {
   BeadRows rows;
   const double* image = nullptr;             ///< where the beads of the image are before they are displaced, as rows.at
   const double* displacement = nullptr;      ///< of the image from there: x, y, z, m
-  const std::int32_t* first_pair = nullptr;  ///< by segment a, and one more
-  const std::int32_t* partner = nullptr;     ///< by pair: segment b; and `pair_padding` more of any segments
+  const std::int32_t* a = nullptr;           ///< by pair: a segment
+  const std::int32_t* b = nullptr;           ///< by pair: another one; and `pair_padding` more of any segments
   const std::uint8_t* near_along = nullptr;  ///< by pair: whether beads of it may be screened
   const double* arc_on = nullptr;            ///< by pair: what is added to the arc of b then, m
   const std::int32_t* material = nullptr;    ///< by segment
@@ -60,17 +60,17 @@ struct BeadMeasuring {
   double* squared = nullptr;               ///< by pair, to fill: the least squared distance of two beads, m²
 };
 
-/// Pushes the beads of a range of segments off those that they touch, and these off them.
+/// Pushes beads of two segments off each other, those of a in a range of segments.
 struct BeadPushing {
   BeadPairs pairs;
   const double* squared = nullptr;         ///< by pair, as measured, m²
   const double* inverse_square = nullptr;  ///< by pair: 1/d² with the diameter at which beads touch, 1/m²
   const double* spacing = nullptr;         ///< by segment: between its beads, m
   const Material* materials = nullptr;
-  int first = 0, last = 0;           ///< the range of segments a
+  int first = 0;                     ///< where the range begins
   int reach = 0;                     ///< whichever b lies from there on is pushed in `outgoing`; 0 if it is an image
-  double* push = nullptr;            ///< rows of segments first ... max(last, reach) - 1, N: added to
-  std::int32_t* touching = nullptr;  ///< working space, as long as the range has pairs
+  double* push = nullptr;            ///< rows of the range, and on to `reach`, N: added to
+  std::int32_t* touching = nullptr;  ///< working space: twice as many as there are pairs
   double* outgoing = nullptr;        ///< a row for each contact with such a b, N: set
   std::int32_t* outgoing_pair = nullptr;  ///< which pair it is: set
 };
@@ -96,9 +96,10 @@ struct BeadSpreading {
 struct BeadKernels {
   /// Segments first ... last - 1; false if a bead moved further than allowed, or if a number is not finite.
   bool (*locate)(const BeadLocating&, int first, int last);
-  /// The pairs of segments a = first ... last - 1; the least squared distance over the squared diameter.
+  /// Pairs first ... last - 1; the least squared distance over the squared diameter.
   double (*measure)(const BeadMeasuring&, int first, int last);
-  BeadPushed (*push)(const BeadPushing&);
+  /// Pairs first ... last - 1.
+  BeadPushed (*push)(const BeadPushing&, int first, int last);
   /// The rows of segments first ... last - 1.
   void (*spread)(const BeadSpreading&, int first, int last);
 };

@@ -1,22 +1,24 @@
-/// Fills a table of kernels, which run on one number type.
+/// Fills a table of kernels. `Wide` is the number type that runs over segments and pushes beads, `Four` the one of all
+/// else on beads.
 #pragma once
 
 #include "sim/kernels/along_yarn_kernel.hpp"
 #include "sim/kernels/bead_kernels_of.hpp"
+#include "sim/kernels/bead_push_kernel.hpp"
 #include "sim/kernels/tables.hpp"
 
 namespace wale {
 
-template <class Real>
-inline constexpr Kernels kernels_of{{&AlongYarnKernel<Real, StretchLaw>::add},
-                                    {&AlongYarnKernel<Real, BendLaw>::add},
-                                    {&AlongYarnKernel<Real, SetBendLaw>::add},
-                                    {&AlongYarnKernel<Real, GravityLaw>::add},
-                                    {&AlongYarnKernel<Real, DragLaw>::add},
-                                    {&AlongYarnKernel<Real, PlatesLaw>::add},
-                                    {&AlongYarnKernel<Real, TetherLaw>::add},
-                                    {&AlongYarnKernel<Real, ObstacleLaw>::add},
-                                    {&BeadKernelsOf<Real>::locate, &BeadKernelsOf<Real>::measure,
-                                     &BeadKernelsOf<Real>::push, &BeadKernelsOf<Real>::spread}};
+template <class Wide, class Four>
+inline constexpr Kernels kernels_of{
+    {&AlongYarnKernel<Wide, StretchLaw>::add},
+    {&AlongYarnKernel<Wide, BendLaw>::add},
+    {&AlongYarnKernel<Wide, SetBendLaw>::add},
+    {&AlongYarnKernel<Wide, GravityLaw>::add},
+    {&AlongYarnKernel<Wide, DragLaw>::add},
+    {&AlongYarnKernel<Wide, PlatesLaw>::add},
+    {&AlongYarnKernel<Wide, TetherLaw>::add},
+    {&AlongYarnKernel<Wide, ObstacleLaw>::add},
+    {&AnyBeadKernels<Four>::locate, &AnyBeadKernels<Four>::measure, &push_beads<Wide>, &AnyBeadKernels<Four>::spread}};
 
 }  // namespace wale

@@ -2,6 +2,6 @@
 
 namespace wale {
 
-constinit const Kernels scalar_kernels = kernels_of<double>;
+constinit const Kernels scalar_kernels = kernels_of<double, double>;
 
 }  // namespace wale
