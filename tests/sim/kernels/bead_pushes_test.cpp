@@ -60,6 +60,9 @@ Pushed push_by_kernels(const Fabric& fabric, const Contact& spec, const State& a
   const auto effect = make(spec, parts);
   Pushed pushed{.force = Points::Zero(3, at.q.cols())};
   Load load{.energy = &pushed.energy, .force = &pushed.force};
+  State before = at;
+  before.q *= 1.5;
+  effect->prepare(before);  // so that all is found again
   effect->prepare(at);
   effect->add(at, load);
   pushed.closest = effect->closest();
@@ -119,12 +122,28 @@ TEST_P(NumbersOfBeads, AreAllPushedOffImagesToo) {
 
 INSTANTIATE_TEST_SUITE_P(BeadPushes, NumbersOfBeads, testing::Values(1, 2, 3, 4, 5, 7, 8));
 
-/// Neighbours of a range of segments lie within its reach, and beyond.
+/// Parallel yarns, each of which touches the next one.
+Fabric parallel_yarns(int count, int segments) {
+  Fabric fabric;
+  fabric.materials = {Material{}};
+  const double l = 0.6e-3, apart = 0.45e-3;
+  for (int i = 0; i < count; ++i)
+    add_yarn(fabric, straight_points({0, apart * i, 0}, {l * segments, apart * i, 0}, segments), l);
+  shake(fabric.points, 0.05 * l, 4);
+  return fabric;
+}
+
+/// Those that segments of a range are paired with lie within its reach, or also beyond.
 TEST(BeadPushes, CrossFromRangeToRange) {
-  const Fabric fabric = woven_yarns(30, 30, 3);
-  const Beads beads(fabric, 0.03, 1.6, 0.1);
-  ASSERT_GT(beads.boundaries().size(), 4u);
-  expect_pushes_of_all_bead_pairs(fabric, {}, shaken_state(fabric, 0, 1));
+  for (const bool beyond : {false, true}) {
+    const Fabric fabric = beyond ? woven_yarns(30, 30, 3) : parallel_yarns(40, 30);
+    Beads beads(fabric, 0.03, 1.6, 0.1);
+    beads.prepare(fabric.points);
+    ASSERT_GT(beads.boundaries().size(), 4u);
+    EXPECT_GT(beads.reaches()[0], beads.boundaries()[1]);
+    EXPECT_EQ(beads.leaves(0), beyond);
+    expect_pushes_of_all_bead_pairs(fabric, {}, shaken_state(fabric, 0, 1));
+  }
 }
 
 TEST(BeadPushes, HaveTheSameBitsOnAnyNumberOfThreads) {
