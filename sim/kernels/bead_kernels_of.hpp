@@ -36,11 +36,13 @@ class BeadKernelsOf : BeadLoops<Real, known> {
   /// Of segments that follow each other on a yarn each adds to three points of the one before, which are kept.
   static void spread(const BeadSpreading& of, int first, int last) {
     const double* push = of.push;
-    Vector<Row<Real>> sum;
+    ByCoordinate<Row<Real>> sum;
     for (int segment = first; segment < last; ++segment) {
       const bool follows = segment > first && of.first_point[segment] == of.first_point[segment - 1] + 1;
-      const Vector<Row<Real>> more = spread_row(of, of.count[segment], push);
-      sum = follows ? Vector<Row<Real>>{moved_up(sum.x), moved_up(sum.y), moved_up(sum.z)} + more : more;
+      const ByCoordinate<Row<Real>> more = spread_row(of, of.count[segment], push);
+      sum = follows
+                ? ByCoordinate<Row<Real>>{moved_up(sum.x) + more.x, moved_up(sum.y) + more.y, moved_up(sum.z) + more.z}
+                : more;
       double* force = of.force + (of.first_point[segment] - of.origin);
       store(sum.x, force);
       store(sum.y, force + of.force_stride);
@@ -111,10 +113,11 @@ class BeadKernelsOf : BeadLoops<Real, known> {
   }
 
   /// On the four control points of a segment, what pushes its beads.
-  [[gnu::always_inline]] static Vector<Row<Real>> spread_row(const BeadSpreading& of, int count, const double* push) {
+  [[gnu::always_inline]] static ByCoordinate<Row<Real>> spread_row(const BeadSpreading& of, int count,
+                                                                   const double* push) {
     const int stride = stride_of(of.stride);
     const double* weights = of.weights + row_step * long{stride} * count;
-    Vector<Row<Real>> sum;
+    ByCoordinate<Row<Real>> sum;
     // Behind the last bead both are zero.
     for (int bead = 0; bead < (known == any_stride ? count : known); ++bead) {
       const Row<Real> weight = load_row<Real>(weights + row_step * bead);

@@ -83,6 +83,12 @@ template <class Real>
   return a;
 }
 
+/// One for each coordinate.
+template <class Sums>
+struct ByCoordinate {
+  Sums x, y, z;
+};
+
 /// A sum for each of four beads of a, over every fourth bead of b.
 template <class Real>
 struct SumsOfA {

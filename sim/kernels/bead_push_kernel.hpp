@@ -122,11 +122,11 @@ class BeadPushKernel : BeadLoops<Real, known> {
                                                 int first, int stride, const Vector<Real>& displacement, double* on_a,
                                                 Energy& energy) {
     const double scale = -contact.weight * contact.inverse_square;
-    Vector<SumsOfA<Real>> sum_a;
+    ByCoordinate<SumsOfA<Real>> sum_a;
     for (int j = 0; j < contact.beads_b; j += step) {
       const int part = j / step % parts;
       const Vector<Real> at_b = beads_of_b(contact.row_b + j, stride) + displacement;
-      Vector<SumsOfB<Real>> sum_b;
+      ByCoordinate<SumsOfB<Real>> sum_b;
       SumsOfB<Real> value;
 #pragma GCC unroll 4
       for (int g = 0; g < beads.groups; ++g) {
