@@ -1,7 +1,6 @@
 #include "sim/effects/bead_pushes.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "sim/kernels/kernels.hpp"
 
@@ -31,37 +30,18 @@ class RangeOfSegments {
     first_ = beads.boundaries()[range];
     last_ = beads.boundaries()[range + 1];
     reach_ = beads.reaches()[range];
-    const std::size_t row = 3 * static_cast<std::size_t>(beads.rows().stride);
-    work.push.assign(row * static_cast<std::size_t>(reach_ - first_), 0);
+    idle_ = !has_pairs(beads);
+    if (idle_) return 0;
+    work.push.assign(row(beads) * static_cast<std::size_t>(reach_ - first_), 0);
     double energy = 0;
-    for (int image = 0; image < static_cast<int>(beads.images().size()); ++image) {
-      const std::size_t first = beads.first_pair(image, first_), last = beads.first_pair(image, last_);
-      if (first == last) continue;
-      const std::size_t before = outgoing_pairs_.size(),
-                        most = before + (image > 0 || beads.leaves(range) ? last - first : 0);
-      work.touching.resize(std::max(work.touching.size(), 2 * (last - first)));
-      work.outgoing.resize(std::max(work.outgoing.size(), row * most));
-      outgoing_pairs_.resize(most);
-      const BeadPushed pushed = kernels().beads.push({.pairs = beads.kernel_pairs(image),
-                                                      .squared = beads.squared_distances(),
-                                                      .inverse_square = by.inverse_square,
-                                                      .spacing = by.spacing,
-                                                      .materials = beads.fabric().materials.data(),
-                                                      .first = first_,
-                                                      .reach = image > 0 ? 0 : reach_,
-                                                      .push = work.push.data(),
-                                                      .touching = work.touching.data(),
-                                                      .outgoing = work.outgoing.data() + row * before,
-                                                      .outgoing_pair = outgoing_pairs_.data() + before},
-                                                     static_cast<int>(first), static_cast<int>(last));
-      outgoing_pairs_.resize(before + static_cast<std::size_t>(pushed.outgoing));
-      energy += pushed.energy;
-    }
+    for (int image = 0; image < static_cast<int>(beads.images().size()); ++image)
+      energy += push(by, image, image > 0 || beads.leaves(range), work);
     return energy;
   }
 
   /// Adds to the control points that no other range adds to. All others are kept for later.
   void spread(const Beads& beads, const Workspace& work, Points& force) {
+    if (idle_) return;
     const Fabric& fabric = beads.fabric();
     origin_ = fabric.first_point(first_);
     stride_ = fabric.first_point(reach_ - 1) + 4 - origin_;
@@ -74,22 +54,13 @@ class RangeOfSegments {
     spreading.force = force_.data();
     kernels().beads.spread(spreading, first_, reach_);
     add(shared_points, own_, force);
-
-    outgoing_.resize(outgoing_pairs_.size());
-    spreading.push = work.outgoing.data();
-    spreading.force_stride = 4;
-    for (std::size_t i = 0; i < outgoing_.size(); ++i) {
-      const int b = beads.pairs()[static_cast<std::size_t>(outgoing_pairs_[i])].b;
-      spreading.origin = fabric.first_point(b);
-      spreading.force = outgoing_[i].data();
-      kernels().beads.spread(spreading, b, b + 1);
-      spreading.push += 3 * spreading.stride;
-    }
+    spread_outgoing(beads, work, spreading);
   }
 
   /// Adds what was kept.
   void add_rest(const Beads& beads, const Points& q, Points& force) const {
-    add(0, std::min(shared_points, own_), force);
+    if (idle_) return;
+    add(0, shared_points, force);
     add(own_, stride_, force);
     for (std::size_t i = 0; i < outgoing_.size(); ++i)
       add_outgoing(beads.pairs()[static_cast<std::size_t>(outgoing_pairs_[i])], outgoing_[i].transpose(), beads, q,
@@ -98,6 +69,50 @@ class RangeOfSegments {
 
  private:
   static constexpr int shared_points = 3;  // with the segment before
+  static std::size_t row(const Beads& beads) { return 3 * static_cast<std::size_t>(beads.rows().stride); }
+
+  bool has_pairs(const Beads& beads) const {
+    for (int image = 0; image < static_cast<int>(beads.images().size()); ++image)
+      if (beads.first_pair(image, first_) < beads.first_pair(image, last_)) return true;
+    return false;
+  }
+
+  /// The contacts with one image, of which some may leave the range.
+  double push(const Pushing& by, int image, bool leave, Workspace& work) {
+    const Beads& beads = by.beads;
+    const std::size_t first = beads.first_pair(image, first_), last = beads.first_pair(image, last_);
+    const std::size_t before = outgoing_pairs_.size(), most = before + (leave ? last - first : 0);
+    work.touching.resize(std::max(work.touching.size(), 2 * (last - first)));
+    work.outgoing.resize(std::max(work.outgoing.size(), row(beads) * most));
+    outgoing_pairs_.resize(most);
+    const BeadPushed pushed = kernels().beads.push({.pairs = beads.kernel_pairs(image),
+                                                    .squared = beads.squared_distances(),
+                                                    .inverse_square = by.inverse_square,
+                                                    .spacing = by.spacing,
+                                                    .materials = beads.fabric().materials.data(),
+                                                    .first = first_,
+                                                    .reach = image > 0 ? 0 : reach_,
+                                                    .push = work.push.data(),
+                                                    .touching = work.touching.data(),
+                                                    .outgoing = work.outgoing.data() + row(beads) * before,
+                                                    .outgoing_pair = outgoing_pairs_.data() + before},
+                                                   static_cast<int>(first), static_cast<int>(last));
+    outgoing_pairs_.resize(before + static_cast<std::size_t>(pushed.outgoing));
+    return pushed.energy;
+  }
+
+  void spread_outgoing(const Beads& beads, const Workspace& work, BeadSpreading spreading) {
+    outgoing_.resize(outgoing_pairs_.size());
+    spreading.push = work.outgoing.data();
+    spreading.force_stride = 4;
+    for (std::size_t i = 0; i < outgoing_.size(); ++i) {
+      const int b = beads.pairs()[static_cast<std::size_t>(outgoing_pairs_[i])].b;
+      spreading.origin = beads.fabric().first_point(b);
+      spreading.force = outgoing_[i].data();
+      kernels().beads.spread(spreading, b, b + 1);
+      spreading.push += 3 * spreading.stride;
+    }
+  }
 
   void add(int from, int to, Points& force) const {
     const double *x = force_.data(), *y = x + stride_, *z = y + stride_;
@@ -121,6 +136,7 @@ class RangeOfSegments {
   }
 
   int first_ = 0, last_ = 0, reach_ = 0;
+  bool idle_ = true;                       // as when all its segments sleep
   int origin_ = 0, own_ = 0, stride_ = 0;  // control points
   std::vector<double> force_;              // on them: all x, then all y, then all z, N
   std::vector<std::int32_t> outgoing_pairs_;
