@@ -7,133 +7,162 @@
 namespace wale {
 namespace {
 
-/// What the contacts of a range of segments add to control points that other ranges add to as well.
-struct Late {
-  int first_point = 0;
-  int image = 0;  // of Beads::images(): which of the segment was pushed
-  Eigen::Matrix<double, 4, 3> force = Eigen::Matrix<double, 4, 3>::Zero();  // on four of them, N
+/// What all contacts are pushed with.
+struct Pushing {
+  const Beads& beads;
+  const double* spacing;
+  const double* inverse_square;
 };
 
+/// What one range after another is worked out in.
+struct Workspace {
+  std::vector<double> push, outgoing;  // rows of beads
+  std::vector<std::int32_t> touching;
+};
+
+/// The contacts of one range of segments: first ... last - 1, whose partners lie before `reach` or are among the few
+/// that are kept one by one.
 class RangeOfSegments {
  public:
-  RangeOfSegments(const Beads& beads, int first, int last)
-      : beads_(beads),
-        first_(first),
-        last_(last),
-        origin_(beads.fabric().first_point(first)),
-        points_(beads.fabric().first_point(last - 1) + 4 - origin_) {}
-
-  /// The energy of the range's contacts.
-  double push(const ListContacts& list) {
-    list(first_, last_, contacts_);
-    if (contacts_.empty()) return 0;
-    leaving_ = static_cast<std::size_t>(
-        std::count_if(contacts_.begin(), contacts_.end(), [this](const auto& contact) { return leaves(contact); }));
-    push_.resize(row() * static_cast<std::size_t>(last_ - first_));
-    outgoing_.resize(row() * leaving_);
-    return kernels().beads.push({.rows = beads_.rows(),
-                                 .materials = beads_.fabric().materials.data(),
-                                 .material = beads_.materials().data(),
-                                 .images = beads_.image_rows().data(),
-                                 .displacements = beads_.displacements().front().data(),
-                                 .contacts = contacts_.data(),
-                                 .count = static_cast<int>(contacts_.size()),
-                                 .first = first_,
-                                 .last = last_,
-                                 .push = push_.data(),
-                                 .outgoing = outgoing_.data()});
+  /// Their energy.
+  double push(const Pushing& by, std::size_t range, Workspace& work) {
+    const Beads& beads = by.beads;
+    first_ = beads.boundaries()[range];
+    last_ = beads.boundaries()[range + 1];
+    reach_ = beads.reaches()[range];
+    idle_ = !has_pairs(beads);
+    if (idle_) return 0;
+    work.push.assign(row(beads) * static_cast<std::size_t>(reach_ - first_), 0);
+    double energy = 0;
+    for (int image = 0; image < static_cast<int>(beads.images().size()); ++image)
+      energy += push(by, image, image > 0 || beads.leaves(range), work);
+    return energy;
   }
 
-  /// Adds to the range's control points, except the first three, which the range before has as well; what these get,
-  /// and what leaves the range, is kept for later.
-  void spread(Points& force, std::vector<Late>& late) const {
-    if (contacts_.empty()) return;
-    const auto stride = static_cast<long>(points_);
-    std::vector<double> sum(3 * static_cast<std::size_t>(points_));
-    std::vector<std::uint8_t> touched(static_cast<std::size_t>(last_ - first_));
-    for (const BeadContact& contact : contacts_) {
-      touched[static_cast<std::size_t>(contact.a - first_)] = 1;
-      if (!leaves(contact)) touched[static_cast<std::size_t>(contact.b - first_)] = 1;
-    }
-    BeadSpreading spreading = beads_.spreading();
-    spreading.touched = touched.data();
-    spreading.push = push_.data();
+  /// Adds to the control points that no other range adds to. All others are kept for later.
+  void spread(const Beads& beads, const Workspace& work, Points& force) {
+    if (idle_) return;
+    const Fabric& fabric = beads.fabric();
+    origin_ = fabric.first_point(first_);
+    stride_ = fabric.first_point(reach_ - 1) + 4 - origin_;
+    own_ = fabric.first_point(last_ - 1) + 4 - origin_;
+    force_.resize(3 * static_cast<std::size_t>(stride_));
+    BeadSpreading spreading = beads.spreading();
+    spreading.push = work.push.data();
     spreading.origin = origin_;
-    spreading.force_stride = stride;
-    spreading.force = sum.data();
-    kernels().beads.spread(spreading, first_, last_);
+    spreading.force_stride = stride_;
+    spreading.force = force_.data();
+    kernels().beads.spread(spreading, first_, reach_);
+    add(shared_points, own_, force);
+    spread_outgoing(beads, work, spreading);
+  }
 
-    late.reserve(leaving_ + 1);
-    Late& shared = late.emplace_back();
-    shared.first_point = origin_;
-    for (int c = 0; c < 3; ++c) std::copy_n(sum.data() + stride * c, shared_points, shared.force.col(c).data());
-    for (long p = shared_points; p < stride; ++p)
-      for (long c = 0; c < 3; ++c) force(c, origin_ + p) += sum[static_cast<std::size_t>(stride * c + p)];
-    spread_outgoing(late);
+  /// Adds what was kept.
+  void add_rest(const Beads& beads, const Points& q, Points& force) const {
+    if (idle_) return;
+    add(0, shared_points, force);
+    add(own_, stride_, force);
+    for (std::size_t i = 0; i < outgoing_.size(); ++i)
+      add_outgoing(beads.pairs()[static_cast<std::size_t>(outgoing_pairs_[i])], outgoing_[i].transpose(), beads, q,
+                   force);
   }
 
  private:
-  static constexpr int shared_points = 3;
+  static constexpr int shared_points = 3;  // with the segment before
+  static std::size_t row(const Beads& beads) { return 3 * static_cast<std::size_t>(beads.rows().stride); }
 
-  std::size_t row() const { return 3 * static_cast<std::size_t>(beads_.rows().stride); }
-  bool leaves(const BeadContact& contact) const { return contact.b >= last_ || contact.image > 0; }
+  bool has_pairs(const Beads& beads) const {
+    for (int image = 0; image < static_cast<int>(beads.images().size()); ++image)
+      if (beads.first_pair(image, first_) < beads.first_pair(image, last_)) return true;
+    return false;
+  }
 
-  void spread_outgoing(std::vector<Late>& late) const {
-    BeadSpreading spreading = beads_.spreading();
-    constexpr std::uint8_t yes = 1;
-    spreading.touched = &yes;
-    spreading.push = outgoing_.data();
+  /// The contacts with one image, of which some may leave the range.
+  double push(const Pushing& by, int image, bool leave, Workspace& work) {
+    const Beads& beads = by.beads;
+    const std::size_t first = beads.first_pair(image, first_), last = beads.first_pair(image, last_);
+    const std::size_t before = outgoing_pairs_.size(), most = before + (leave ? last - first : 0);
+    work.touching.resize(std::max(work.touching.size(), 2 * (last - first)));
+    work.outgoing.resize(std::max(work.outgoing.size(), row(beads) * most));
+    outgoing_pairs_.resize(most);
+    const BeadPushed pushed = kernels().beads.push({.pairs = beads.kernel_pairs(image),
+                                                    .squared = beads.squared_distances(),
+                                                    .inverse_square = by.inverse_square,
+                                                    .spacing = by.spacing,
+                                                    .materials = beads.fabric().materials.data(),
+                                                    .first = first_,
+                                                    .reach = image > 0 ? 0 : reach_,
+                                                    .push = work.push.data(),
+                                                    .touching = work.touching.data(),
+                                                    .outgoing = work.outgoing.data() + row(beads) * before,
+                                                    .outgoing_pair = outgoing_pairs_.data() + before},
+                                                   static_cast<int>(first), static_cast<int>(last));
+    outgoing_pairs_.resize(before + static_cast<std::size_t>(pushed.outgoing));
+    return pushed.energy;
+  }
+
+  void spread_outgoing(const Beads& beads, const Workspace& work, BeadSpreading spreading) {
+    outgoing_.resize(outgoing_pairs_.size());
+    spreading.push = work.outgoing.data();
     spreading.force_stride = 4;
-    for (const BeadContact& contact : contacts_) {
-      if (!leaves(contact)) continue;
-      Late& out = late.emplace_back();
-      out.first_point = spreading.origin = beads_.fabric().first_point(contact.b);
-      out.image = contact.image;
-      spreading.force = out.force.data();
-      kernels().beads.spread(spreading, contact.b, contact.b + 1);
-      spreading.push += row();
+    for (std::size_t i = 0; i < outgoing_.size(); ++i) {
+      const int b = beads.pairs()[static_cast<std::size_t>(outgoing_pairs_[i])].b;
+      spreading.origin = beads.fabric().first_point(b);
+      spreading.force = outgoing_[i].data();
+      kernels().beads.spread(spreading, b, b + 1);
+      spreading.push += 3 * spreading.stride;
     }
   }
 
-  const Beads& beads_;
-  int first_, last_, origin_, points_;
-  std::size_t leaving_ = 0;
-  std::vector<BeadContact> contacts_;
-  std::vector<double> push_, outgoing_;  // rows of beads
-};
-
-void add_late(const Late& of, const Beads& beads, const Points& q, Points& force) {
-  if (const Image* turned = beads.turned(of.image)) {
-    const OnImage back = carried_back(*turned, q.middleCols<4>(of.first_point), of.force.transpose());
-    force.middleCols<4>(of.first_point) += back.points;
-    force.rightCols<2>() += back.periods;
-    return;
+  void add(int from, int to, Points& force) const {
+    const double *x = force_.data(), *y = x + stride_, *z = y + stride_;
+    for (int p = from; p < to; ++p) force.col(origin_ + p) += Vec3(x[p], y[p], z[p]);
   }
-  // The three shared points of a yarn of one segment may be the last.
-  const int points = std::min(4, static_cast<int>(force.cols()) - of.first_point);
-  for (int k = 0; k < points; ++k) force.col(of.first_point + k) += of.force.row(k).transpose();
-  // An image moves with the periods: together they bear what its control points do.
-  if (of.image > 0)
-    force.rightCols<2>() += of.force.colwise().sum().transpose() *
-                            beads.images()[static_cast<std::size_t>(of.image)].cast<double>().transpose();
-}
+
+  static void add_outgoing(const SegmentPair& pair, const Eigen::Matrix<double, 3, 4>& on_b, const Beads& beads,
+                           const Points& q, Points& force) {
+    const int first = beads.fabric().first_point(pair.b);
+    if (const Image* turned = beads.turned(pair)) {
+      const OnImage back = carried_back(*turned, q.middleCols<4>(first), on_b);
+      force.middleCols<4>(first) += back.points;
+      force.rightCols<2>() += back.periods;
+      return;
+    }
+    force.middleCols<4>(first) += on_b;
+    // An image moves with the periods: together they bear what its control points do.
+    if (pair.image > 0)
+      force.rightCols<2>() +=
+          on_b.rowwise().sum() * beads.images()[static_cast<std::size_t>(pair.image)].cast<double>().transpose();
+  }
+
+  int first_ = 0, last_ = 0, reach_ = 0;
+  bool idle_ = true;                       // as when all its segments sleep
+  int origin_ = 0, own_ = 0, stride_ = 0;  // control points
+  std::vector<double> force_;              // on them: all x, then all y, then all z, N
+  std::vector<std::int32_t> outgoing_pairs_;
+  std::vector<Eigen::Matrix<double, 4, 3>> outgoing_;  // on the four control points of each such b, N
+};
 
 }  // namespace
 
-void add_pushes(const Beads& beads, const Points& q, const ListContacts& list, Load& out) {
-  const std::vector<int>& boundaries = beads.boundaries();
-  std::vector<double> energies(boundaries.size() - 1);
-  std::vector<std::vector<Late>> late(energies.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < energies.size(); ++i) {
-    RangeOfSegments range(beads, boundaries[i], boundaries[i + 1]);
-    energies[i] = range.push(list);
-    if (out.force) range.spread(*out.force, late[i]);
+void add_pushes(const Beads& beads, const Points& q, const std::vector<double>& spacing,
+                const std::vector<double>& inverse_square, Load& out) {
+  const Pushing by{beads, spacing.data(), inverse_square.data()};
+  std::vector<RangeOfSegments> ranges(beads.boundaries().size() - 1);
+  std::vector<double> energies(ranges.size());
+#pragma omp parallel
+  {
+    Workspace work;
+#pragma omp for schedule(static)
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      energies[i] = ranges[i].push(by, i, work);
+      if (out.force) ranges[i].spread(beads, work, *out.force);
+    }
   }
   if (out.energy)
     for (const double energy : energies) *out.energy += energy;
-  for (const std::vector<Late>& some : late)
-    for (const Late& of : some) add_late(of, beads, q, *out.force);
+  if (out.force)
+    for (const RangeOfSegments& range : ranges) range.add_rest(beads, q, *out.force);
 }
 
 }  // namespace wale

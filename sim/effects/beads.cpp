@@ -86,7 +86,6 @@ void Beads::set_up_kernels() {
     for (std::size_t b = 0; b < materials; ++b) {
       const double d = (fabric_.materials[a].diameter + fabric_.materials[b].diameter) / 2;
       diameter_.push_back(d);
-      inverse_square_.push_back(1 / (d * d));
       screening_length_.push_back(screening_ * d);
     }
   index_pairs();
@@ -172,24 +171,29 @@ BeadSpreading Beads::spreading() const {
           .weights = spread_weights_.data()};
 }
 
+BeadPairs Beads::kernel_pairs(int image) const {
+  return {.rows = rows(),
+          .image = image_rows_[index(image)],
+          .displacement = displacements_[index(image)].data(),
+          .a = segment_a_.data(),
+          .b = segment_b_.data(),
+          .near_along = near_along_.data(),
+          .arc_on = arc_on_.data(),
+          .material = material_.data(),
+          .materials = static_cast<int>(fabric_.materials.size()),
+          .screening_length = screening_length_.data()};
+}
+
 /// The least squared distance over the squared diameter.
 double Beads::measure(int image) {
-  const BeadMeasuring measuring{.rows = rows(),
-                                .image = image_rows_[index(image)],
-                                .displacement = displacements_[index(image)].data(),
-                                .first_pair = first_pairs_of(image),
-                                .partner = partner_.data(),
-                                .near_along = near_along_.data(),
-                                .arc_on = arc_on_.data(),
-                                .material = material_.data(),
-                                .materials = static_cast<int>(fabric_.materials.size()),
-                                .inverse_square = inverse_square_.data(),
-                                .screening_length = screening_length_.data(),
-                                .squared = squared_.data()};
+  const BeadMeasuring measuring{
+      .pairs = kernel_pairs(image), .inverse_square = inverse_square_.data(), .squared = squared_.data()};
   double closest = std::numeric_limits<double>::infinity();
 #pragma omp parallel for schedule(static) reduction(min : closest)
   for (std::size_t i = 1; i < boundaries_.size(); ++i)
-    closest = std::min(closest, kernels().beads.measure(measuring, boundaries_[i - 1], boundaries_[i]));
+    closest =
+        std::min(closest, kernels().beads.measure(measuring, static_cast<int>(first_pair(image, boundaries_[i - 1])),
+                                                  static_cast<int>(first_pair(image, boundaries_[i]))));
   return closest;
 }
 
@@ -318,16 +322,20 @@ void Beads::find_pairs(int image, const Grid& grid, const Spheres& around) {
 
 void Beads::index_pairs() {
   first_pair_.assign(images_.size() * (index(fabric_.segment_count()) + 1), 0);
-  partner_.clear();
+  segment_a_.clear();
+  segment_b_.clear();
   near_along_.clear();
   arc_on_.clear();
+  inverse_square_.clear();
   for (const SegmentPair& pair : pairs_) {
-    partner_.push_back(pair.b);
+    segment_a_.push_back(pair.a);
+    segment_b_.push_back(pair.b);
     near_along_.push_back(runs_on(pair) && arc(pair.b, 0) + arc_on(pair) - arc(pair.a, count(pair.a) - 1) <
                                                screening_length(pair.a, pair.b));
     arc_on_.push_back(arc_on(pair));
+    inverse_square_.push_back(1 / (diameter(pair.a, pair.b) * diameter(pair.a, pair.b)));
   }
-  partner_.resize(pairs_.size() + pair_padding);
+  segment_b_.resize(pairs_.size() + pair_padding);
   squared_.resize(pairs_.size());
   std::size_t p = 0;
   auto first = first_pair_.begin();
@@ -336,6 +344,20 @@ void Beads::index_pairs() {
       *first = static_cast<std::int32_t>(p);
       while (p < pairs_.size() && pairs_[p].image == image && pairs_[p].a == a) ++p;
     }
+  find_reaches();
+}
+
+void Beads::find_reaches() {
+  furthest_.clear();
+  reaches_.clear();
+  for (std::size_t i = 1; i < boundaries_.size(); ++i) {
+    const int first = boundaries_[i - 1], last = boundaries_[i];
+    int furthest = last;
+    for (std::size_t p = first_pair(0, first); p < first_pair(0, last); ++p)
+      furthest = std::max(furthest, pairs_[p].b + 1);
+    furthest_.push_back(furthest);
+    reaches_.push_back(std::min(furthest, 2 * last - first));
+  }
 }
 
 void Beads::list_gaps(std::vector<Gap>& out) const {

@@ -78,9 +78,19 @@ class Beads {
   /// Where the pairs of a segment a with an image begin in pairs(); `segment` may be one behind the last.
   std::size_t first_pair(int image, int segment) const { return index(first_pairs_of(image)[segment]); }
 
+  /// Those with an image, for the kernels.
+  BeadPairs kernel_pairs(int image) const;
+  /// Of pairs(), at the last prepare(), m².
+  const double* squared_distances() const { return squared_.data(); }
+
   /// The segments in ranges [boundaries()[i], boundaries()[i + 1]), which depend on the fabric alone: what is summed
   /// range by range has the same bits for any number of threads.
   const std::vector<int>& boundaries() const { return boundaries_; }
+  /// By range: behind its last segment and those that its segments a are paired with as they lie, but no further on
+  /// than as many again.
+  const std::vector<int>& reaches() const { return reaches_; }
+  /// Whether segments are paired beyond the reach of their range.
+  bool leaves(std::size_t range) const { return furthest_[range] > reaches_[range]; }
 
   int count(int segment) const { return bead_count_[index(segment)]; }
   int total() const { return static_cast<int>(arc_.size()); }
@@ -91,14 +101,6 @@ class Beads {
            std::abs(arc(pair.b, bead_b) + arc_on(pair) - arc(pair.a, bead_a)) < screening_length(pair.a, pair.b);
   }
   double screening_length(int a, int b) const { return screening_ * diameter(a, b); }  ///< m
-  /// Whether any two beads of the pair are screened.
-  bool near_along(std::size_t pair) const { return near_along_[pair]; }
-  /// What is added to the arc of b then, m.
-  double arc_on(std::size_t pair) const { return arc_on_[pair]; }
-  /// How far images are displaced at the last prepare(), m.
-  const std::vector<Vec3>& displacements() const { return displacements_; }
-  /// Where their beads are before that, as rows().
-  const std::vector<const double*>& image_rows() const { return image_rows_; }
   /// Contact diameter of two segments: the mean of both, m.
   double diameter(int a, int b) const {
     return diameter_[index(material_[index(a)]) * fabric_.materials.size() + index(material_[index(b)])];
@@ -149,6 +151,7 @@ class Beads {
   void find_pairs();
   void find_pairs(int image, const Grid& grid, const Spheres& around);
   void index_pairs();
+  void find_reaches();
   void keep_awake();
   bool is_within_reach(const SegmentPair& pair) const;
 
@@ -175,15 +178,16 @@ class Beads {
   double closest_ = 0;
   long version_ = 0;
 
-  // As the kernels want them; see BeadRows, BeadLocating and BeadMeasuring.
+  // As the kernels want them; see BeadRows, BeadLocating and BeadPairs.
   std::size_t stride_ = 0;
   std::vector<int> boundaries_;
+  std::vector<int> furthest_, reaches_;  // by range, one behind the last segment
   std::vector<double> rows_, listed_rows_, arc_rows_, weights_, spread_weights_;
-  std::vector<std::int32_t> first_point_, material_, partner_;
+  std::vector<std::int32_t> first_point_, material_, segment_a_, segment_b_;
   std::vector<std::int32_t> first_pair_;  // by image and segment, with one behind the last
   std::vector<std::uint8_t> near_along_;
-  std::vector<double> arc_on_, squared_;
-  std::vector<double> diameter_, inverse_square_, screening_length_;  // by both materials
+  std::vector<double> arc_on_, inverse_square_, squared_;
+  std::vector<double> diameter_, screening_length_;  // by both materials
 };
 
 }  // namespace wale

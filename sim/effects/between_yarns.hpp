@@ -52,7 +52,10 @@ class BetweenYarns final : public Effect {
 
   std::string_view name() const override { return law_.name(); }
   bool dissipative() const override { return !L::elastic; }
-  void prepare(const State& at) override { beads_->prepare(at.q); }
+  void prepare(const State& at) override {
+    beads_->prepare(at.q);
+    if constexpr (L::by_kernels) look_at(parts_.rest(at.t));
+  }
   double closest() const override { return L::elastic ? beads_->closest() : Effect::closest(); }
   void list_gaps(std::vector<Gap>& out) const override {
     if constexpr (L::elastic) beads_->list_gaps(out);
@@ -63,17 +66,13 @@ class BetweenYarns final : public Effect {
     std::array<const std::vector<int>*, 2> places{};
     for (std::size_t m = 0; m < 2; ++m)
       if (second[m]) places[m] = &places_in(*second[m]);
-    const std::vector<double> spacing = spacings(at.t);
     const bool blocks_wanted = second[0] || second[1];
     if constexpr (L::by_kernels) {
-      if (out.energy || out.force)
-        add_pushes(
-            *beads_, at.q, [&](int from, int to, std::vector<BeadContact>& some) { list(spacing, from, to, some); },
-            out);
+      if (out.energy || out.force) add_pushes(*beads_, at.q, spacing_, inverse_square_, out);
       if (!blocks_wanted) return;
     }
     std::vector<Contact> contacts;
-    list(spacing, 0, parts_.fabric.segment_count(), contacts);
+    list(spacings(parts_.rest(at.t)), contacts);
     const std::size_t batch = blocks_wanted ? std::min(contacts.size(), most_blocks) : contacts.size();
     std::vector<Slopes> slopes(batch);
     std::vector<Blocks> blocks(blocks_wanted ? batch : 0);
@@ -111,7 +110,12 @@ class BetweenYarns final : public Effect {
   using Twin = Eigen::Array<double, 12, 1>;
   /// Blocks (j, k), j <= k, of the eight control points of a pair, row by row.
   using Blocks = std::array<Twin, 36>;
-  using Contact = BeadContact;
+  /// Two segments that touch.
+  struct Contact {
+    std::size_t pair = 0;  // of Beads::pairs()
+    double weight = 0;     // see Touch
+    double diameter = 0;
+  };
   struct Slopes {
     double energy = 0, dissipation = 0;
     Quad on_a = Quad::Zero(), on_b = Quad::Zero();
@@ -130,8 +134,7 @@ class BetweenYarns final : public Effect {
   }
 
   /// How far apart beads are on their yarn, by segment, m.
-  std::vector<double> spacings(double t) const {
-    const RestLengths rest = parts_.rest(t);
+  std::vector<double> spacings(const RestLengths& rest) const {
     std::vector<double> spacing;
     spacing.reserve(parts_.fabric.segments.size());
     for (int i = 0; i < parts_.fabric.segment_count(); ++i)
@@ -139,40 +142,41 @@ class BetweenYarns final : public Effect {
     return spacing;
   }
 
-  /// Of the listed pairs of segments a = first ... last - 1, those that touch.
-  void list(const std::vector<double>& spacing, int first, int last, std::vector<Contact>& out) const {
-    const int images = static_cast<int>(beads_->images().size());
-    for (int image = 0; image < images; ++image)
-      list(spacing, beads_->first_pair(image, first), beads_->first_pair(image, last), out);
+  double diameter(const SegmentPair& pair, const std::vector<double>& spacing) const {
+    return law_.diameter(beads_->diameter(pair.a, pair.b), spacing[static_cast<std::size_t>(pair.a)],
+                         spacing[static_cast<std::size_t>(pair.b)]);
   }
 
-  /// The same of pairs begin ... end - 1.
-  void list(const std::vector<double>& spacing, std::size_t begin, std::size_t end, std::vector<Contact>& out) const {
-    const auto spacing_of = [&](int segment) { return spacing[static_cast<std::size_t>(segment)]; };
-    const auto diameter = [&](const SegmentPair& pair) {
-      return law_.diameter(beads_->diameter(pair.a, pair.b), spacing_of(pair.a), spacing_of(pair.b));
-    };
-    // About half of them do: a branch would often be taken wrongly.
-    std::vector<std::size_t> touching(end - begin + 1);
+  /// Works out what the kernels are told of the pairs, if it has changed.
+  void look_at(const RestLengths& rest) {
+    if (list_ == beads_->version() && rest == rest_) return;
+    list_ = beads_->version();
+    rest_ = rest;
+    spacing_ = spacings(rest);
+    inverse_square_.clear();
+    for (const SegmentPair& pair : beads_->pairs()) {
+      const double d = diameter(pair, spacing_);
+      inverse_square_.push_back(1 / (d * d));
+    }
+  }
+
+  /// The listed pairs that touch.
+  void list(const std::vector<double>& spacing, std::vector<Contact>& out) const {
+    // Most of them do, but a branch would often be taken wrongly.
+    const std::vector<SegmentPair>& pairs = beads_->pairs();
+    std::vector<std::size_t> touching(pairs.size() + 1);
     std::size_t count = 0;
-    for (std::size_t p = begin; p < end; ++p) {
-      const double d = diameter(beads_->pairs()[p]);
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      const double d = diameter(pairs[p], spacing);
       touching[count] = p;
       count += beads_->squared_distance(p) < d * d;
     }
-    out.reserve(out.size() + count);
+    out.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t p = touching[i];
-      const SegmentPair& pair = beads_->pairs()[p];
-      const bool near_along = beads_->near_along(p);
-      out.push_back({.pair = p,
-                     .a = pair.a,
-                     .b = pair.b,
-                     .image = pair.image,
-                     .weight = spacing_of(pair.a) * spacing_of(pair.b),
-                     .diameter = diameter(pair),
-                     .screening_length = near_along ? beads_->screening_length(pair.a, pair.b) : 0,
-                     .arc_on = beads_->arc_on(p)});
+      const SegmentPair& pair = pairs[touching[i]];
+      out.push_back({.pair = touching[i],
+                     .weight = spacing[static_cast<std::size_t>(pair.a)] * spacing[static_cast<std::size_t>(pair.b)],
+                     .diameter = diameter(pair, spacing)});
     }
   }
 
@@ -474,6 +478,10 @@ class BetweenYarns final : public Effect {
   L law_;
   const Parts& parts_;
   std::shared_ptr<Beads> beads_;
+  // For the kernels, of the list and the rest lengths at the last prepare(); see add_pushes().
+  long list_ = -1;
+  RestLengths rest_;
+  std::vector<double> spacing_, inverse_square_;
 };
 
 }  // namespace wale

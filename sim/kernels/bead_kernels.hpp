@@ -40,45 +40,44 @@ struct BeadLocating {
   double* at = nullptr;            ///< the rows to fill
 };
 
-/// Measures pairs of segments with one image of each other.
-struct BeadMeasuring {
+/// The listed pairs of segments with one image of each other.
+struct BeadPairs {
   BeadRows rows;
   const double* image = nullptr;             ///< where the beads of the image are before they are displaced, as rows.at
   const double* displacement = nullptr;      ///< of the image from there: x, y, z, m
-  const std::int32_t* first_pair = nullptr;  ///< by segment a, and one more
-  const std::int32_t* partner = nullptr;     ///< by pair: segment b; and `pair_padding` more of any segments
+  const std::int32_t* a = nullptr;           ///< by pair: a segment
+  const std::int32_t* b = nullptr;           ///< by pair: another one; and `pair_padding` more of any segments
   const std::uint8_t* near_along = nullptr;  ///< by pair: whether beads of it may be screened
   const double* arc_on = nullptr;            ///< by pair: what is added to the arc of b then, m
   const std::int32_t* material = nullptr;    ///< by segment
   int materials = 0;
-  const double* inverse_square = nullptr;    ///< 1/d² for each two materials, 1/m²
-  const double* screening_length = nullptr;  ///< for each two materials, m
-  double* squared = nullptr;                 ///< by pair, to fill: the least squared distance of two beads, m²
+  const double* screening_length = nullptr;  ///< for each two materials: beads nearer along their yarn do not touch, m
 };
 
-/// Two segments that touch.
-struct BeadContact {
-  std::size_t pair = 0;  ///< of Beads::pairs()
-  int a = 0, b = 0;
-  int image = 0;                ///< of b, of Beads::images()
-  double weight = 0;            ///< l_a l_b / (n_a n_b), m² (Ding et al. 2023, Eqs. 17-21 as corrected)
-  double diameter = 0;          ///< of this contact, m
-  double screening_length = 0;  ///< beads nearer than that along their yarn do not touch, m; 0 on different yarns
-  double arc_on = 0;            ///< what is added to the arc of b, m
+struct BeadMeasuring {
+  BeadPairs pairs;
+  const double* inverse_square = nullptr;  ///< by pair: 1/d², 1/m²
+  double* squared = nullptr;               ///< by pair, to fill: the least squared distance of two beads, m²
 };
 
-/// Pushes the beads of a range of segments off those of others.
+/// Pushes beads of two segments off each other, those of a in a range of segments.
 struct BeadPushing {
-  BeadRows rows;
+  BeadPairs pairs;
+  const double* squared = nullptr;         ///< by pair, as measured, m²
+  const double* inverse_square = nullptr;  ///< by pair: 1/d² with the diameter at which beads touch, 1/m²
+  const double* spacing = nullptr;         ///< by segment: between its beads, m
   const Material* materials = nullptr;
-  const std::int32_t* material = nullptr;  ///< by segment
-  const double* const* images = nullptr;   ///< by image: where its beads are before they are displaced, as rows.at
-  const double* displacements = nullptr;   ///< by image: x, y, z, m
-  const BeadContact* contacts = nullptr;   ///< those of one a together
-  int count = 0;
-  int first = 0, last = 0;     ///< the range; it holds every a
-  double* push = nullptr;      ///< rows of the range, N: added to
-  double* outgoing = nullptr;  ///< a row for each contact that leaves(), N: set
+  int first = 0;                     ///< where the range begins
+  int reach = 0;                     ///< whichever b lies from there on is pushed in `outgoing`; 0 if it is an image
+  double* push = nullptr;            ///< rows of the range, and on to `reach`, N: added to
+  std::int32_t* touching = nullptr;  ///< working space: twice as many as there are pairs
+  double* outgoing = nullptr;        ///< a row for each contact with such a b, N: set
+  std::int32_t* outgoing_pair = nullptr;  ///< which pair it is: set
+};
+
+struct BeadPushed {
+  double energy = 0;  ///< J
+  int outgoing = 0;   ///< how many rows of `outgoing` were set
 };
 
 /// Carries what pushes beads to the control points.
@@ -86,22 +85,21 @@ struct BeadSpreading {
   int stride = 0;
   const std::int32_t* count = nullptr;        ///< beads, by segment
   const std::int32_t* first_point = nullptr;  ///< by segment
-  const double* weights =
-      nullptr;  ///< 4 numbers a bead, 4 `stride` for each number of beads: its control points' weights
-  const std::uint8_t* touched = nullptr;  ///< of the range: whether its row is not all zero
-  const double* push = nullptr;           ///< rows of the range, N
-  int origin = 0;                         ///< the control point where `force` begins
+  /// 4 numbers a bead, 4 `stride` for each number of beads: its control points' weights.
+  const double* weights = nullptr;
+  const double* push = nullptr;  ///< rows of the range, N
+  int origin = 0;                ///< the control point where `force` begins
   long force_stride = 0;
-  double* force = nullptr;  ///< all x, then all y, then all z, `force_stride` apart, N: added to
+  double* force = nullptr;  ///< all x, then all y, then all z, `force_stride` apart, N: set
 };
 
 struct BeadKernels {
   /// Segments first ... last - 1; false if a bead moved further than allowed, or if a number is not finite.
   bool (*locate)(const BeadLocating&, int first, int last);
-  /// The pairs of segments a = first ... last - 1; the least squared distance over the squared diameter.
+  /// Pairs first ... last - 1; the least squared distance over the squared diameter.
   double (*measure)(const BeadMeasuring&, int first, int last);
-  /// The energy, J.
-  double (*push)(const BeadPushing&);
+  /// Pairs first ... last - 1.
+  BeadPushed (*push)(const BeadPushing&, int first, int last);
   /// The rows of segments first ... last - 1.
   void (*spread)(const BeadSpreading&, int first, int last);
 };

@@ -6,30 +6,12 @@
 
 #include "sim/effects/beads.hpp"
 #include "sim/parts.hpp"
+#include "tests/support/instruction_sets.hpp"
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/one_thread.hpp"
 
 namespace wale {
 namespace {
-
-/// Uses another instruction set while it lives.
-class Using {
- public:
-  explicit Using(InstructionSet set) { set_instruction_set(set); }
-  ~Using() { set_instruction_set(before_); }
-  Using(const Using&) = delete;
-  Using& operator=(const Using&) = delete;
-
- private:
-  InstructionSet before_ = instruction_set();
-};
-
-std::vector<InstructionSet> packed_sets() {
-  std::vector<InstructionSet> sets;
-  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512})
-    if (supports(set)) sets.push_back(set);
-  return sets;
-}
 
 /// Layers of parallel yarns across each other, of 1 to 67 segments and three materials: 2, 4 or 11 beads a segment.
 Fabric many_lengths(const std::array<ContactLaw, 3>& laws) {
