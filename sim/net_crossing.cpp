@@ -42,12 +42,15 @@ template <class Visit>
 void for_each_crossing(const Points& a, const Points& b, const Vec3& along, const Visit& visit) {
   const Points p = turned(a, along), q = turned(b, along);
   const Vec3 low = q.rowwise().minCoeff(), high = q.rowwise().maxCoeff();
+  const Eigen::Index pieces = q.cols() - 1;
+  const Points lows = q.leftCols(pieces).cwiseMin(q.rightCols(pieces)),
+               highs = q.leftCols(pieces).cwiseMax(q.rightCols(pieces));
   for (Eigen::Index i = 1; i < p.cols(); ++i) {
     const Vec3 from = p.col(i - 1), to = p.col(i), near = from.cwiseMin(to), far = from.cwiseMax(to);
     if (apart(near, far, low, high)) continue;
-    for (Eigen::Index j = 1; j < q.cols(); ++j) {
-      if (apart(near, far, q.col(j - 1).cwiseMin(q.col(j)), q.col(j - 1).cwiseMax(q.col(j)))) continue;
-      if (const auto at = crossing(from, to, q.col(j - 1), q.col(j))) visit(*at);
+    for (Eigen::Index j = 0; j < pieces; ++j) {
+      if (apart(near, far, lows.col(j), highs.col(j))) continue;
+      if (const auto at = crossing(from, to, q.col(j), q.col(j + 1))) visit(*at);
     }
   }
 }

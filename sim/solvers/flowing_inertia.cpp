@@ -30,19 +30,21 @@ Points FlowingInertia::times(const Points& x) const {
   return inertia;
 }
 
-void FlowingInertia::add_to(Stiffness& K) const {
+void FlowingInertia::add_to(Stiffness& K, double factor) const {
   const int points = static_cast<int>(world_.fabric().points.cols());
   Points along = Points::Zero(3, places_.cols());
   along.topRows<2>() = places_;
   along.rightCols<2>().setZero();  // the periods have none of M
   const Points carried = world_.mass().times(along);
   for (int j = 0; j < points; ++j)
-    for (int period = 0; period < 2; ++period) K.add(j, points + period, -carried(period, j) * Mat3::Identity());
+    for (int period = 0; period < 2; ++period)
+      K.add(j, points + period, -factor * carried(period, j) * Mat3::Identity());
   const Eigen::Matrix3d both = along * carried.transpose();
   for (int first = 0; first < 2; ++first)
     for (int second = first; second < 2; ++second)
       K.add(points + first, points + second,
-            (both(first, second) + (first == second ? world_.period_inertia().masses()[first] : 0)) * Mat3::Identity());
+            factor * (both(first, second) + (first == second ? world_.period_inertia().masses()[first] : 0)) *
+                Mat3::Identity());
 }
 
 }  // namespace wale

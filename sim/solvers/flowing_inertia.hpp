@@ -23,8 +23,8 @@ class FlowingInertia {
   Points beside(const Points& x) const;
   /// The force on the periods of what moving yarn carries, N; zero if none is free.
   const Eigen::Matrix<double, 3, 2>& carried() const { return carried_; }
-  /// K += what times() has beyond M, in kg; by all columns.
-  void add_to(Stiffness& K) const;
+  /// K += `factor` times what times() has beyond M, in kg; by all columns.
+  void add_to(Stiffness& K, double factor) const;
 
  private:
   Eigen::Matrix<double, 3, 2> of_periods(const Points& x) const;

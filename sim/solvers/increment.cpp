@@ -12,7 +12,6 @@ Increment::Increment(World& world)
       dissipates_(world.dissipates()),
       inertia_(world),
       mass_(world.ties().columns()),
-      flowing_(world.ties().columns()),
       damping_(world.ties().columns()),
       exact_(world.ties().columns()),
       convex_(exact_) {}
@@ -24,7 +23,7 @@ void Increment::begin(const State& lagged, double time, Points from, Points coas
   from_ = std::move(from);
   coasting_ = std::move(coasting);
   if (has_inertia() && mass_.slots() == 0) world_.mass().add_to(mass_);
-  if (has_inertia() && inertia_.flows()) expect(lagged, gaining);
+  if (flows()) expect(lagged, gaining);
   lag(lagged);
 }
 
@@ -34,8 +33,6 @@ void Increment::expect(const State& from, const Points& gaining) {
   end.q = coasting_ + time_ * time_ * gaining;
   end.v = (coasting_ - from_) / time_ + time_ * gaining;
   inertia_.look_at(end);
-  flowing_.clear();
-  inertia_.add_to(flowing_);
 }
 
 void Increment::lag(const State& lagged) {
@@ -70,7 +67,7 @@ double Increment::value(const State& at, Points* force) {
     energy += time_ * time_ / 2 * acceleration.cwiseProduct(inertia).sum();
     if (force) *force -= inertia;
   }
-  if (has_inertia() && inertia_.flows()) {
+  if (flows()) {
     energy -= (at.q - coasting_).rightCols<2>().cwiseProduct(inertia_.carried()).sum();
     if (force) force->rightCols<2>() += inertia_.carried();
   }
@@ -101,10 +98,8 @@ void Increment::second(const State& at, const Leeway& leeway, double shift, Stif
   world_.add_to(load, at, Acting::elastic);
   for (Stiffness* matrix : {&all_exact, all_convex}) {
     if (!matrix) continue;
-    if (has_inertia()) {
-      matrix->add(mass_, 1 / (time_ * time_));
-      if (inertia_.flows()) matrix->add(flowing_, 1 / (time_ * time_));
-    }
+    if (has_inertia()) matrix->add(mass_, 1 / (time_ * time_));
+    if (flows()) inertia_.add_to(*matrix, 1 / (time_ * time_));
     if (shift > 0) leeway.add_to(*matrix, shift);
   }
   damping_.fit();

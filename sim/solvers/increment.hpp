@@ -50,6 +50,7 @@ class Increment {
   World& world() { return world_; }
 
  private:
+  bool flows() const { return has_inertia() && inertia_.flows(); }
   void expect(const State& from, const Points& gaining);
   State moving(const State& at) const;
   Points gather(const Points& force) const;
@@ -64,7 +65,6 @@ class Increment {
   double time_ = 1;         // θ, s
   FlowingInertia inertia_;
   Stiffness mass_;            // kg; empty without inertia
-  Stiffness flowing_;         // what free periods add to it
   Stiffness damping_;         // second derivative of D by velocity, of a motion
   Stiffness exact_, convex_;  // by all columns, of a periodic fabric
 };
