@@ -25,6 +25,9 @@ struct Load {
   Stiffness* damping = nullptr;    ///< second derivative of D by v, N s/m
   double* dissipation = nullptr;   ///< D, W: the Rayleigh function; power lost is 2 D, if that is quadratic
   Stiffness* convex = nullptr;     ///< the stiffness less all that could make it indefinite (Gauss-Newton), N/m
+  /// Of `damping`, 0 to 1: how far the slope of a force that levels off as it slides faster is taken as that from rest
+  /// to here. At 1 no quadratic model with it promises more than there is to lose (Lange, Hunter & Yang 2000).
+  double secant = 0;
 };
 
 /// Two segments that are near each other.

@@ -8,7 +8,7 @@ namespace wale {
 namespace {
 
 constexpr double furthest_step = 0.02;  // of the gauge length
-constexpr double first_step = 0.005;    // of the gauge length, while the stiffness is unknown
+constexpr double first_step = 0.001;    // of the gauge length, while the stiffness is unknown
 
 /// The latest attempt of those that pull (or push).
 std::optional<Mounted> latest(const std::vector<Mounted>& tried, bool pulls) {
@@ -23,10 +23,10 @@ double secant(const Mounted& a, const Mounted& b) {
 
 }  // namespace
 
-double next_travel(const std::vector<Mounted>& tried, double gauge_length) {
+double next_travel(const std::vector<Mounted>& tried, double gauge_length, double unread) {
   if (tried.empty()) return 0;
   const Mounted& now = tried.back();
-  if (now.force == 0) return now.travel;
+  if (std::abs(now.force) <= unread) return now.travel;
   const double apart = now.force > 0 ? -1 : 1;
   const std::optional<Mounted> pull = latest(tried, true), push = latest(tried, false);
   // A fabric that yields while it settles may push where it pulled before; then the older attempt tells nothing.

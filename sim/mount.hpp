@@ -12,8 +12,9 @@ struct Mounted {
 };
 
 /// Where the grips go next, m: by secants, within the nearest pair of a pull and a push once there is one, and never
-/// further than 2 % of `gauge_length` at a time. First they stay where they closed. As ISO 13934-1 mounts a strip
-/// without pretension.
-double next_travel(const std::vector<Mounted>& tried, double gauge_length);
+/// further than 2 % of `gauge_length` at a time. First they stay where they closed, and then where they read no more
+/// than `unread`, N: with friction, to look further for less would pull the fabric to and fro. As ISO 13934-1 mounts a
+/// strip without pretension.
+double next_travel(const std::vector<Mounted>& tried, double gauge_length, double unread = 0);
 
 }  // namespace wale

@@ -176,8 +176,16 @@ class Run {
       travels.push_back(travel);
       tried.push_back({travel, table.find("force")->values[row]});
     }
-    travels.push_back(next_travel(tried, closed.gauge_length()));
+    travels.push_back(next_travel(tried, closed.gauge_length(), unread(stage_at(index))));
     return travels;
+  }
+
+  /// What grips may read of residual forces, as large as is allowed, on every wale or course between them, N.
+  double unread(const Stage& stage) const {
+    const auto* spec = std::get_if<QuasiStatic>(&stage.solver);
+    if (!spec) return 0;
+    const int columns = stage.mount == Along::wale ? results_.scene.gauge.wales : results_.scene.gauge.courses;
+    return allowed_residual(*spec, results_.scene.fabric) * columns;
   }
 
   /// To `t`, if need be from where another contact law is balanced there.

@@ -18,6 +18,7 @@ struct Touch {
   Vec3 velocity = Vec3::Zero();  ///< of a relative to b, m/s
   double weight = 0;             ///< l_a l_b / (n_a n_b), m² (Ding et al. 2023, Eqs. 17-21 as corrected)
   double diameter = 0;           ///< of this contact, m
+  double secant = 0;             ///< see Load
   const Material* a = nullptr;
   const Material* b = nullptr;
 };
@@ -84,7 +85,7 @@ class BetweenYarns final : public Effect {
 #pragma omp for schedule(dynamic, 16)
         for (std::size_t c = 0; c < some.size(); ++c) {
           slopes[c] = {};
-          push_all(at, some[c], slopes[c], blocks.empty() ? nullptr : &blocks[c], on_b);
+          push_all(at, some[c], out.secant, slopes[c], blocks.empty() ? nullptr : &blocks[c], on_b);
         }
       }
       if constexpr (!L::by_kernels) gather(some, slopes, at.q, out);
@@ -181,7 +182,7 @@ class BetweenYarns final : public Effect {
   }
 
   /// `on_b` is working space.
-  void push_all(const State& at, const Contact& contact, Slopes& slopes, Blocks* blocks,
+  void push_all(const State& at, const Contact& contact, double secant, Slopes& slopes, Blocks* blocks,
                 std::vector<Twin>& on_b) const {
     const auto [a, b, image] = pair_of(contact);
     const Vec3 displacement = beads_->displacement(pair_of(contact));
@@ -194,6 +195,7 @@ class BetweenYarns final : public Effect {
     };
     Touch touch{.weight = contact.weight,
                 .diameter = contact.diameter,
+                .secant = secant,
                 .a = &parts_.fabric.material_of(a),
                 .b = &parts_.fabric.material_of(b)};
     if (blocks) blocks->fill(Twin::Zero());

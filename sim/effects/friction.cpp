@@ -33,7 +33,7 @@ struct Rubbing {
     if (speed == 0) return;
     const Vec3 along = sliding / speed;
     const double steepening = x < 1 ? 2 * (1 - x) / threshold : 0;  // f''
-    push.stiffness += most * (steepening - slope) * along * along.transpose();
+    push.stiffness += (1 - touch.secant) * most * (steepening - slope) * along * along.transpose();
   }
 };
 

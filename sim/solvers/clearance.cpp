@@ -100,14 +100,16 @@ int about_to_pass(const Fabric& fabric, const Points& before, const Points& afte
 
 double largest_motion(const Points& from, const Points& to) { return (to - from).colwise().norm().maxCoeff(); }
 
-double uneven_motion(const Points& q, const Points& move) {
+Points even_motion(const Points& q, const Points& move) {
   Eigen::MatrixXd place(4, q.cols());
   place.topRows<3>() = q.colwise() - q.rowwise().mean();
   place.row(3).setOnes();
   // A flat or straight fabric says nothing of some directions: the least change there is none.
   const Eigen::Matrix4d spread = place * place.transpose();
   const Eigen::Matrix<double, 4, 3> even = spread.completeOrthogonalDecomposition().solve(place * move.transpose());
-  return std::sqrt((move - even.transpose() * place).colwise().squaredNorm().maxCoeff());
+  return even.transpose() * place;
 }
+
+double uneven_motion(const Points& q, const Points& move) { return largest_motion(even_motion(q, move), move); }
 
 }  // namespace wale

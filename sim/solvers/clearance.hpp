@@ -26,7 +26,10 @@ int about_to_pass(const Fabric&, const Points& before, const Points& after, cons
 /// How far the control point that goes furthest goes, m.
 double largest_motion(const Points& from, const Points& to);
 
-/// The largest motion of a column of `move` beyond what a uniform strain, turn and shift of all of `q` explains, m.
+/// What of `move` a uniform strain, turn and shift of all of `q` explains, m.
+Points even_motion(const Points& q, const Points& move);
+
+/// The largest motion of a column of `move` beyond even_motion(), m.
 double uneven_motion(const Points& q, const Points& move);
 
 }  // namespace wale

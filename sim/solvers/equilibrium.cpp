@@ -18,7 +18,10 @@ constexpr double never_through = 0.5;  // of the diameter: beads so far apart le
 // shift.
 constexpr double reach_when_free = 1.5;
 constexpr int most_inner = 60;       // conjugate-gradient steps
-constexpr int most_corrections = 2;  // with the factor of one step
+constexpr int most_corrections = 4;  // with the factor of one step
+// Of the energy that a step promised: what it must gain to be taken; below which the model is trusted less; and above
+// which it is trusted more.
+constexpr double least_gain = 1e-3, poor_gain = 0.25, good_gain = 0.6;
 
 double furthest(const Eigen::VectorXd& x) {
   return std::sqrt(x.reshaped(3, x.size() / 3).colwise().squaredNorm().maxCoeff());
@@ -74,14 +77,17 @@ void Equilibrium::look_around(const State& state) {
   clearance_ = clearance_at(state);
 }
 
+/// What all of the fabric does together goes whole if it can, however little may move where neighbours move most.
 void Equilibrium::follow(State& state, const Points& move) {
   increment_.prepare(state);
   look_around(state);
-  const double share = leeway_.share(move);
-  if (share == 0) return;
-  for (double step = std::min(1.0, 1 / share); step > 0.01; step /= 2) {
-    if (stays_apart(state, step * move)) {
-      state.q += step * move;
+  const Points even = even_motion(state.q, move), uneven = move - even;
+  const double at_once = std::min(1.0, 1 / std::max(leeway_.share(uneven), 1e-300));
+  for (double step = 1; step > 0.01; step /= 2) {
+    Points by = even + step * at_once * uneven;
+    by *= std::min(1.0, 1 / std::max(leeway_.share(by), 1e-300));
+    if (stays_apart(state, by)) {
+      state.q += by;
       world_.settle(state);
       return;
     }
@@ -109,7 +115,7 @@ bool Equilibrium::factor(const State& at, Effort& effort) {
   // Inertia holds what is free as well, and to add to it would give or take momentum.
   const double shift = increment_.has_inertia() ? 0 : residual_ / (reach_when_free * thickness_);
   const bool serves = !increment_.has_inertia() && inner_ <= cholesky_.solves_a_factor();
-  increment_.second(at, leeway_, shift, exact_, serves ? nullptr : &convex_);
+  increment_.second(at, leeway_, {shift, secant_}, exact_, serves ? nullptr : &convex_);
   if (serves) return true;
   ++effort.factorizations;
   const bool factored = cholesky_.factor(convex_, 0);
@@ -130,7 +136,7 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) {
   precondition(z);
   along = z;
   double rz = residual.dot(z);
-  const double goal = 1e-4 * rz;
+  const double goal = 1e-3 * rz;
   Step step;
   for (inner_ = 0; inner_ < most_inner && rz > goal && rz > 0; ++inner_) {
     exact_.multiply(along, stiff);
@@ -185,16 +191,43 @@ void Equilibrium::correct(Trial& trial, double tolerance, Effort& effort) {
   }
 }
 
+bool Equilibrium::is_met(const Goal& goal, const Points& force) const {
+  if (residual_ < goal.residual) return true;
+  if (goal.unmet <= 0) return false;
+  const auto more = (force.colwise().squaredNorm().array() >= goal.residual * goal.residual).count();
+  return static_cast<double>(more) <= goal.unmet * static_cast<double>(force.cols());
+}
+
+/// Trusts the model as far as a step gained what it had promised; whether that changes the model. A contact that comes
+/// to stick or begins to slip gains less, however small the trust region is elsewhere: there secants promise less.
+bool Equilibrium::adapt(const Step& step, double gain) {
+  const double secant = secant_;
+  if (gain < poor_gain && secant_ < 1 && increment_.dissipates() && !increment_.has_inertia()) {
+    secant_ = 1;
+    return true;
+  }
+  if (gain > good_gain) secant_ = secant_ > 0.1 ? secant_ / 4 : 0;
+  if (gain <= least_gain)
+    reach_ = 0.3 * share(step.move);
+  else if (gain < poor_gain)
+    reach_ = 0.6 * share(step.move);
+  else if (gain > good_gain && step.limited)
+    reach_ *= 2;
+  reach_ = std::min(reach_, 1.0);
+  return secant_ != secant;
+}
+
 Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int iterations, Effort& effort) {
   Trial now{state, 0, {}};
   now.energy = evaluate(state, &now.force, effort);
   reach_ = 1;
+  secant_ = 0;
   bool factored = false;
   for (int i = 0; i < iterations; ++i) {
     worst_point_ = worst_column(now.force);
     residual_ = now.force.col(worst_point_).norm();
     if (!std::isfinite(now.energy) || !now.force.allFinite()) return Answer::gave_up;
-    if (residual_ < goal.residual) return Answer::found;
+    if (is_met(goal, now.force)) return Answer::found;
     if (world_.interrupted()) return Answer::gave_up;
     if (!factored) {
       look_around(now.state);
@@ -213,22 +246,15 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
     // Below the rounding of the energy only the force can tell.
     const bool drowned = step.promised < 1e-12 * std::abs(now.energy);
     const bool good =
-        std::isfinite(trial.energy) && (drowned ? furthest(trial.force.reshaped()) < residual_ : gain > 1e-3);
+        std::isfinite(trial.energy) && (drowned ? furthest(trial.force.reshaped()) < residual_ : gain > least_gain);
     if (good) {
       now = std::move(trial);
       state = now.state;
       world_.show(state.q);
-      factored = false;
     } else {
       increment_.prepare(now.state);
     }
-    if (!good)
-      reach_ = 0.3 * share(step.move);
-    else if (gain < 0.25)
-      reach_ = 0.6 * share(step.move);
-    else if (gain > 0.6 && step.limited)
-      reach_ *= 2;
-    reach_ = std::min(reach_, 1.0);
+    if (adapt(step, good ? std::max(gain, 2 * least_gain) : 0) || good) factored = false;
     if (reach_ < 1e-9) return Answer::gave_up;
   }
   return Answer::gave_up;

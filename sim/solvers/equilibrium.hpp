@@ -22,6 +22,7 @@ class Equilibrium {
   struct Goal {
     double residual = 0;  ///< the largest residual force on a control point, N
     double move = 0;      ///< how far a whole Newton step moves any of them, m
+    double unmet = 0;     ///< share of the control points on which a larger force may be left
   };
   enum class Answer { found, gave_up };
   /// Moves `state.q` until the goal is met.
@@ -63,6 +64,8 @@ class Equilibrium {
   double share(const Eigen::VectorXd& move) const;
   double steps_to_edge(const Eigen::VectorXd& move, const Eigen::VectorXd& along) const;
   void release(Points& force) const;  // takes out what the clamps bear
+  bool is_met(const Goal& goal, const Points& force) const;
+  bool adapt(const Step& step, double gain);
 
   Increment& increment_;
   World& world_;
@@ -71,6 +74,7 @@ class Equilibrium {
   Leeway leeway_;
   double thickness_ = 0;  // of the thinnest yarn, m
   double reach_ = 0;      // of what neighbours may move against each other in one iteration
+  double secant_ = 0;     // of friction, see Load
   double clearance_ = 0;  // over the diameter, where the iteration stands
   double residual_ = 0;
   int worst_point_ = 0;

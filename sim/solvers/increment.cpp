@@ -48,6 +48,14 @@ State Increment::moving(const State& at) const {
   return state;
 }
 
+Points Increment::push(const State& at) {
+  prepare(at);
+  Points force;
+  Load load{.force = &force};
+  world_.evaluate(at, load, Acting::elastic);
+  return world_.ties().empty() ? force : gather(force);
+}
+
 double Increment::value(const State& at, Points* force) {
   prepare(at);
   double energy = 0;
@@ -82,13 +90,14 @@ Points Increment::gather(const Points& force) const {
   return free;
 }
 
-void Increment::second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness* convex) {
+void Increment::second(const State& at, const Leeway& leeway, const Caution& caution, Stiffness& exact,
+                       Stiffness* convex) {
   const bool periodic = !world_.ties().empty();
   Stiffness& all_exact = periodic ? exact_ : exact;
   Stiffness* const all_convex = periodic && convex ? &convex_ : convex;
   all_exact.clear();
   if (dissipates_) {
-    Load loss{.damping = &all_exact};
+    Load loss{.damping = &all_exact, .secant = caution.secant};
     world_.add_to(loss, moving(at), Acting::dissipative);
     if (has_inertia()) damping_ = all_exact;
     all_exact.scale(1 / time_);
@@ -100,7 +109,7 @@ void Increment::second(const State& at, const Leeway& leeway, double shift, Stif
     if (!matrix) continue;
     if (has_inertia()) matrix->add(mass_, 1 / (time_ * time_));
     if (flows()) inertia_.add_to(*matrix, 1 / (time_ * time_));
-    if (shift > 0) leeway.add_to(*matrix, shift);
+    if (caution.shift > 0) leeway.add_to(*matrix, caution.shift);
   }
   damping_.fit();
   if (!periodic) return;

@@ -32,11 +32,18 @@ class Increment {
   bool dissipates() const { return dissipates_; }
   /// Brings caches up to date for V at `at`.
   void prepare(const State& at) { world_.prepare(at, Acting::elastic); }
+  /// The force -dV/dx, N, on what may move: 3 x points(). Prepares.
+  Points push(const State& at);
   /// Φ, J; and the force -dΦ/dx, N, if it is wanted, on what may move: 3 x points(). Prepares.
   double value(const State& at, Points* force);
+  /// What makes a quadratic model promise less than its energy does.
+  struct Caution {
+    double shift = 0;   ///< Levenberg's, against the motion of neighbours, N/m
+    double secant = 0;  ///< see Load; that of a motion, which needs its own matrix, is 0
+  };
   /// The second derivative of Φ by what may move, N/m, and, if wanted, its part that is positive semidefinite for sure,
-  /// at the last state prepared; both with Levenberg's shift against the motion of neighbours.
-  void second(const State& at, const Leeway& leeway, double shift, Stiffness& exact, Stiffness* convex);
+  /// at the last state prepared.
+  void second(const State& at, const Leeway& leeway, const Caution&, Stiffness& exact, Stiffness* convex);
 
   /// The right side of second() x = impulse(a, b) that has x = (I - θJ)⁻¹ (a, b), its positions, where J is the
   /// Jacobian of the motion and (a, b) are positions and velocities of all columns; on what may move.

@@ -9,8 +9,9 @@
 namespace wale {
 namespace {
 
-constexpr double rough = 10;     // times the tolerance
-constexpr int most_rounds = 10;  // of iterations at a load that stays
+constexpr double rough = 10;         // times the tolerance
+constexpr double on_the_way = 0.01;  // of the control points, out of balance where the load only passes by
+constexpr int most_rounds = 10;      // of iterations at a load that stays
 // s, over which inertia holds a fabric back: from where a wave runs a millimetre along a yarn to where nothing is felt.
 constexpr double first_creep = 1e-6, last_creep = 1e-3;
 constexpr int most_failures = 3;  // before that is given up
@@ -35,10 +36,12 @@ class QuasiStaticSolver final : public Solver {
     if (state_.step <= 0) state_.step = spec_.first_step > 0 ? spec_.first_step : until - state_.t;
     for (int rounds = 0;;) {
       const double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
-      const bool changes = load_changes(target);
-      State next = guess(target, changes);
+      const bool moves = load_changes(target), changes = moves || increment_.dissipates();
+      State next = guess(target, moves);
       if (!world_.fits_around(next)) return fail_to_bend(target);
       increment_.begin(next, target - state_.t, state_.q);
+      // A fabric without friction forgets how it came, and a few places that still slide would hold up all of it.
+      unmet_ = target < until && !increment_.dissipates() ? on_the_way : 0;
       if (balance(next)) return accept(std::move(next), until);
       if (world_.interrupted()) return Progress::stepped;
       ++effort_.rejected;
@@ -93,13 +96,10 @@ class QuasiStaticSolver final : public Solver {
 
   /// Where the load stays as it is a shorter step would come no further than this one did.
   bool load_changes(double target) {
-    if (increment_.dissipates() || world_.fabric().cell) return true;
+    if (world_.fabric().cell) return true;
     State later = state_;
     later.t = target;
-    Points now, then;
-    increment_.value(state_, &now);
-    increment_.value(later, &then);
-    return now != then;
+    return increment_.push(state_) != increment_.push(later);
   }
 
   /// Another way to the equilibrium at `next.t`, for where Newton's method finds none however short the step: inertia
@@ -132,7 +132,8 @@ class QuasiStaticSolver final : public Solver {
   }
 
   bool balance(State& next, double residual) {
-    return equilibrium_.relax(next, {.residual = residual}, spec_.iterations, effort_) == Equilibrium::Answer::found;
+    const Equilibrium::Goal goal{.residual = residual, .unmet = unmet_};
+    return equilibrium_.relax(next, goal, spec_.iterations, effort_) == Equilibrium::Answer::found;
   }
 
   Progress accept(State next, double until) {
@@ -172,6 +173,7 @@ class QuasiStaticSolver final : public Solver {
   Equilibrium equilibrium_;
   State state_, before_;
   double tolerance_;                // N
+  double unmet_ = 0;                // see Equilibrium::Goal
   std::optional<double> residual_;  // of state_, N
   Effort effort_;
 };

@@ -46,6 +46,11 @@ TEST(Mount, ForgetsABracketThatTheFabricHasLeft) {
   EXPECT_LT(next_travel(tried, gauge_length), 0.6e-4);
 }
 
+TEST(Mount, StaysWhereThePullIsNoMoreThanCanBeRead) {
+  EXPECT_EQ(next_travel({{1e-4, -0.5}, {2e-4, 0.01}}, gauge_length, 0.01), 2e-4);
+  EXPECT_LT(next_travel({{1e-4, -0.5}, {2e-4, 0.011}}, gauge_length, 0.01), 2e-4);
+}
+
 TEST(Mount, StaysWhereNothingPulls) { EXPECT_EQ(next_travel({{1e-4, -0.5}, {2e-4, 0}}, gauge_length), 2e-4); }
 
 }  // namespace
