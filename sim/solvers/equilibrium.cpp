@@ -77,22 +77,23 @@ void Equilibrium::look_around(const State& state) {
   clearance_ = clearance_at(state);
 }
 
-/// What all of the fabric does together goes whole if it can, however little may move where neighbours move most.
-void Equilibrium::follow(State& state, const Points& move) {
+double Equilibrium::follow(State& state, const Points& move) {
   increment_.prepare(state);
   look_around(state);
   const Points even = even_motion(state.q, move), uneven = move - even;
   const double at_once = std::min(1.0, 1 / std::max(leeway_.share(uneven), 1e-300));
-  for (double step = 1; step > 0.01; step /= 2) {
-    Points by = even + step * at_once * uneven;
-    by *= std::min(1.0, 1 / std::max(leeway_.share(by), 1e-300));
-    if (stays_apart(state, by)) {
-      state.q += by;
-      world_.settle(state);
-      return;
+  for (double whole = 1; whole > 0.01; whole /= 2)
+    for (const double part : {1.0, 0.5, 0.0}) {
+      const Points by = whole * (even + part * at_once * uneven);
+      const double step = std::min(1.0, 1 / std::max(leeway_.share(by), 1e-300));
+      if (stays_apart(state, step * by)) {
+        state.q += step * by;
+        world_.settle(state);
+        return whole * step;
+      }
+      increment_.prepare(state);
     }
-    increment_.prepare(state);
-  }
+  return 0;
 }
 
 void Equilibrium::release(Points& force) const {
@@ -191,11 +192,13 @@ void Equilibrium::correct(Trial& trial, double tolerance, Effort& effort) {
   }
 }
 
-bool Equilibrium::is_met(const Goal& goal, const Points& force) const {
+bool Equilibrium::is_met(const Goal& goal, const Trial& now) const {
   if (residual_ < goal.residual) return true;
   if (goal.unmet <= 0) return false;
-  const auto more = (force.colwise().squaredNorm().array() >= goal.residual * goal.residual).count();
-  return static_cast<double>(more) <= goal.unmet * static_cast<double>(force.cols());
+  const auto more = (now.force.colwise().squaredNorm().array() >= goal.residual * goal.residual).count();
+  // Where yarns are about to be stopped they are not left on their way.
+  return static_cast<double>(more) <= goal.unmet * static_cast<double>(now.force.cols()) &&
+         clearance_at(now.state) > 2 * least_clearance;
 }
 
 /// Trusts the model as far as a step gained what it had promised; whether that changes the model. A contact that comes
@@ -227,7 +230,7 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
     worst_point_ = worst_column(now.force);
     residual_ = now.force.col(worst_point_).norm();
     if (!std::isfinite(now.energy) || !now.force.allFinite()) return Answer::gave_up;
-    if (is_met(goal, now.force)) return Answer::found;
+    if (is_met(goal, now)) return Answer::found;
     if (world_.interrupted()) return Answer::gave_up;
     if (!factored) {
       look_around(now.state);

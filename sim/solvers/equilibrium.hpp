@@ -28,8 +28,11 @@ class Equilibrium {
   /// Moves `state.q` until the goal is met.
   Answer relax(State& state, const Goal& goal, int iterations, Effort& effort);
 
-  /// Moves `state` along `move`, no further than neighbours may at once and no yarn passes through another.
-  void follow(State& state, const Points& move);
+  /// Moves `state` along `move`, no further than neighbours may at once and no yarn passes through another: what all of
+  /// the fabric does together goes on, however little may move where neighbours move most. Answers how much of that.
+  double follow(State& state, const Points& move);
+  /// How far `move` takes neighbours against each other, over what they may at once.
+  double share_of(const Points& move) const { return leeway_.share(move); }
   /// x := K⁻¹ x with the last factor of relax(), under the constraints.
   void precondition(Eigen::VectorXd& x) const;
   /// Lets the next relax() depend on nothing that came before, so that a state taken up again leads to the same bits.
@@ -64,7 +67,7 @@ class Equilibrium {
   double share(const Eigen::VectorXd& move) const;
   double steps_to_edge(const Eigen::VectorXd& move, const Eigen::VectorXd& along) const;
   void release(Points& force) const;  // takes out what the clamps bear
-  bool is_met(const Goal& goal, const Points& force) const;
+  bool is_met(const Goal& goal, const Trial& now) const;
   bool adapt(const Step& step, double gain);
 
   Increment& increment_;

@@ -10,10 +10,14 @@ namespace wale {
 namespace {
 
 constexpr double rough = 10;         // times the tolerance
+constexpr double well_followed = 0.5, least_followed = 0.1;  // of a step
 constexpr double on_the_way = 0.01;  // of the control points, out of balance where the load only passes by
 constexpr int most_rounds = 10;      // of iterations at a load that stays
 // s, over which inertia holds a fabric back: from where a wave runs a millimetre along a yarn to where nothing is felt.
 constexpr double first_creep = 1e-6, last_creep = 1e-3;
+// How far neighbours move against each other in a step, over what they may at once, for the next to be as long.
+constexpr double well_moved = 2;
+constexpr double least_growth = 0.5, most_growth = 1.5;  // of steps
 constexpr int most_failures = 3;  // before that is given up
 
 /// Equilibrium after equilibrium; its time is the load parameter of the schedules.
@@ -35,14 +39,15 @@ class QuasiStaticSolver final : public Solver {
     equilibrium_.forget();
     if (state_.step <= 0) state_.step = spec_.first_step > 0 ? spec_.first_step : until - state_.t;
     for (int rounds = 0;;) {
-      const double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
+      double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
       const bool moves = load_changes(target), changes = moves || increment_.dissipates();
       State next = guess(target, moves);
+      target = next.t;
       if (!world_.fits_around(next)) return fail_to_bend(target);
       increment_.begin(next, target - state_.t, state_.q);
       // A fabric without friction forgets how it came, and a few places that still slide would hold up all of it.
       unmet_ = target < until && !increment_.dissipates() ? on_the_way : 0;
-      if (balance(next)) return accept(std::move(next), until);
+      if (balance(next)) return accept(std::move(next), until, moves);
       if (world_.interrupted()) return Progress::stepped;
       ++effort_.rejected;
       if (!changes) {
@@ -52,7 +57,7 @@ class QuasiStaticSolver final : public Solver {
         continue;
       }
       const double shorter = (target - state_.t) / 2;
-      if (shorter < spec_.smallest_step) return creep(next) ? accept(std::move(next), until) : fail();
+      if (shorter < spec_.smallest_step) return creep(next) ? accept(std::move(next), until, moves) : fail();
       state_.step = shorter;
       ++effort_.retries.halved;
     }
@@ -88,7 +93,11 @@ class QuasiStaticSolver final : public Solver {
   State guess(double target, bool load_changes) {
     State next = state_;
     next.t = target;
-    if (load_changes) equilibrium_.follow(next, (target - state_.t) * state_.v);
+    if (load_changes) {
+      const double time = target - state_.t, followed = equilibrium_.follow(next, time * state_.v);
+      // A load that goes on where the fabric cannot follow tears at it.
+      if (followed < well_followed) next.t = state_.t + std::max(followed, least_followed) * time;
+    }
     if (const auto& cell = world_.fabric().cell) world_.guide().lead(*cell, next);
     world_.settle(next);
     return next;
@@ -136,10 +145,12 @@ class QuasiStaticSolver final : public Solver {
     return equilibrium_.relax(next, goal, spec_.iterations, effort_) == Equilibrium::Answer::found;
   }
 
-  Progress accept(State next, double until) {
+  Progress accept(State next, double until, bool load_changes) {
     const double step = next.t - state_.t;
+    const double moved = load_changes ? equilibrium_.share_of(next.q - state_.q) : 0;
+    const double growth = std::clamp(well_moved / std::max(moved, 1e-300), least_growth, most_growth);
     next.v = (next.q - state_.q) / step;
-    next.step = std::max(state_.step, 1.5 * step);
+    next.step = growth < 1 ? growth * step : std::max(state_.step, growth * step);
     before_ = std::move(state_);
     state_ = std::move(next);
     residual_ = equilibrium_.residual();
