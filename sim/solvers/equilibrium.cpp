@@ -17,8 +17,9 @@ constexpr double never_through = 0.5;  // of the diameter: beads so far apart le
 // Of the diameter: how far a point would move that is pulled by the largest residual and held only by Levenberg's
 // shift.
 constexpr double reach_when_free = 1.5;
-constexpr int most_inner = 60;       // conjugate-gradient steps
-constexpr int most_corrections = 4;  // with the factor of one step
+constexpr Eigen::Index points_around = 8;  // control points along a yarn
+constexpr int most_inner = 60;             // conjugate-gradient steps
+constexpr int most_corrections = 4;        // with the factor of one step
 // Of the energy that a step promised: what it must gain to be taken; below which the model is trusted less; and above
 // which it is trusted more.
 constexpr double least_gain = 1e-3, poor_gain = 0.25, good_gain = 0.6;
@@ -80,7 +81,8 @@ void Equilibrium::look_around(const State& state) {
 double Equilibrium::follow(State& state, const Points& move) {
   increment_.prepare(state);
   look_around(state);
-  const Points even = even_motion(state.q, move), uneven = move - even;
+  // What all of a periodic fabric does is in its periods.
+  const Points even = world_.fabric().cell ? Points(0 * move) : even_motion(state.q, move), uneven = move - even;
   const double at_once = std::min(1.0, 1 / std::max(leeway_.share(uneven), 1e-300));
   for (double whole = 1; whole > 0.01; whole /= 2)
     for (const double part : {1.0, 0.5, 0.0}) {
@@ -110,14 +112,35 @@ double Equilibrium::evaluate(const State& at, Points* force, Effort& effort) {
   return energy;
 }
 
-/// An old factor serves as long as conjugate gradients cost less with it than a new one. A motion needs that of its own
-/// matrix: see precondition().
-bool Equilibrium::factor(const State& at, Effort& effort) {
-  // Inertia holds what is free as well, and to add to it would give or take momentum.
-  const double shift = increment_.has_inertia() ? 0 : residual_ / (reach_when_free * thickness_);
+/// Levenberg's shift holds back a fabric by the largest force that is left in it; on the way, where a few places may go
+/// on sliding, each place by the largest around it, or else these would hold back all. Inertia holds what is free as
+/// well, and to add to it would give or take momentum.
+Eigen::VectorXd Equilibrium::shifts(const Points& force, const Goal& goal) const {
+  if (increment_.has_inertia()) return {};
+  const Fabric& fabric = world_.fabric();
+  const double furthest = reach_when_free * thickness_;
+  if (goal.unmet == 0 || fabric.cell)
+    return Eigen::VectorXd::Constant(fabric.points.cols() + (fabric.cell ? 2 : 0), residual_ / furthest);
+  Eigen::VectorXd shift(force.cols());
+  for (const Yarn& yarn : fabric.yarns) {
+    const Eigen::VectorXd left = force.middleCols(yarn.first_point, yarn.points()).colwise().norm();
+    for (Eigen::Index k = 0; k < left.size(); ++k) {
+      const Eigen::Index first = std::max<Eigen::Index>(k - points_around, 0),
+                         last = std::min(k + points_around, left.size() - 1);
+      shift[yarn.first_point + k] =
+          std::max(left.segment(first, last - first + 1).maxCoeff(), goal.residual) / furthest;
+    }
+  }
+  return shift;
+}
+
+/// An old factor serves until conjugate gradients have cost as much with it as a new one does. A motion needs that of
+/// its own matrix: see precondition().
+bool Equilibrium::factor(const Trial& now, const Goal& goal, Effort& effort) {
   const bool serves = !increment_.has_inertia() && inner_ <= cholesky_.solves_a_factor();
-  increment_.second(at, leeway_, {shift, secant_}, exact_, serves ? nullptr : &convex_);
+  increment_.second(now.state, leeway_, {shifts(now.force, goal), secant_}, exact_, serves ? nullptr : &convex_);
   if (serves) return true;
+  inner_ = 0;
   ++effort.factorizations;
   const bool factored = cholesky_.factor(convex_, 0);
   convex_.release();
@@ -139,7 +162,7 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) {
   double rz = residual.dot(z);
   const double goal = 1e-3 * rz;
   Step step;
-  for (inner_ = 0; inner_ < most_inner && rz > goal && rz > 0; ++inner_) {
+  for (int i = 0; i < most_inner && rz > goal && rz > 0; ++i, ++inner_) {
     exact_.multiply(along, stiff);
     const double curvature = along.dot(stiff);
     double alpha = curvature > 0 ? rz / curvature : std::numeric_limits<double>::infinity();
@@ -234,7 +257,7 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
     if (world_.interrupted()) return Answer::gave_up;
     if (!factored) {
       look_around(now.state);
-      if (!factor(now.state, effort)) return Answer::gave_up;
+      if (!factor(now, goal, effort)) return Answer::gave_up;
       factored = true;
     }
     const Step step = downhill(now.force);

@@ -58,7 +58,8 @@ class Equilibrium {
   };
   Trial attempt(const State& from, const Eigen::VectorXd& move, Effort& effort);
   void correct(Trial& trial, double tolerance, Effort& effort);
-  bool factor(const State& at, Effort& effort);
+  bool factor(const Trial& now, const Goal& goal, Effort& effort);
+  Eigen::VectorXd shifts(const Points& force, const Goal& goal) const;
   Step downhill(const Points& force);
   double evaluate(const State& at, Points* force, Effort& effort);
   double clearance_at(const State& state) const;
@@ -81,7 +82,7 @@ class Equilibrium {
   double clearance_ = 0;  // over the diameter, where the iteration stands
   double residual_ = 0;
   int worst_point_ = 0;
-  int inner_ = 0;  // steps of conjugate gradients in the last iteration
+  int inner_ = 0;  // steps of conjugate gradients with the factor at hand
 };
 
 }  // namespace wale

@@ -109,7 +109,7 @@ void Increment::second(const State& at, const Leeway& leeway, const Caution& cau
     if (!matrix) continue;
     if (has_inertia()) matrix->add(mass_, 1 / (time_ * time_));
     if (flows()) inertia_.add_to(*matrix, 1 / (time_ * time_));
-    if (caution.shift > 0) leeway.add_to(*matrix, caution.shift);
+    if (caution.shift.size() > 0) leeway.add_to(*matrix, caution.shift);
   }
   damping_.fit();
   if (!periodic) return;

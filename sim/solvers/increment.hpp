@@ -38,8 +38,8 @@ class Increment {
   double value(const State& at, Points* force);
   /// What makes a quadratic model promise less than its energy does.
   struct Caution {
-    double shift = 0;   ///< Levenberg's, against the motion of neighbours, N/m
-    double secant = 0;  ///< see Load; that of a motion, which needs its own matrix, is 0
+    Eigen::VectorXd shift;  ///< Levenberg's, against the motion of neighbours, by column of State::q, N/m; empty: none
+    double secant = 0;      ///< see Load; that of a motion, which needs its own matrix, is 0
   };
   /// The second derivative of Φ by what may move, N/m, and, if wanted, its part that is positive semidefinite for sure,
   /// at the last state prepared.

@@ -71,17 +71,23 @@ double Leeway::share(const Points& move) const {
   return std::sqrt(most);
 }
 
+double Leeway::mean(const Near& near, const Eigen::VectorXd& weights) const {
+  return (weights.segment<4>(near.a).mean() + weights.segment<4>(near.b).mean()) / 2;
+}
+
 template <class Add>
-void Leeway::each_block(const Add& add) const {
+void Leeway::each_block(const Eigen::VectorXd& weights, const Add& add) const {
   for (const Yarn& yarn : fabric_.yarns)
     for (int k = yarn.first_point; k + 1 < yarn.first_point + yarn.points(); ++k) {
-      add(k, k, 1);
-      add(k + 1, k + 1, 1);
-      add(k, k + 1, -1);
+      const double weight = (weights[k] + weights[k + 1]) / 2;
+      add(k, k, weight);
+      add(k + 1, k + 1, weight);
+      add(k, k + 1, -weight);
     }
   const int periods = static_cast<int>(fabric_.points.cols());
   for (const Near& near : near_) {
     if (!near.touches || near.turned >= 0) continue;
+    const double weight = mean(near, weights);
     std::array<std::pair<int, double>, 10> terms;
     for (int k = 0; k < 4; ++k) {
       terms[static_cast<std::size_t>(k)] = {near.a + k, 0.25};
@@ -94,16 +100,17 @@ void Leeway::each_block(const Add& add) const {
       for (std::size_t n = m; n < count; ++n) {
         const auto [p, u] = terms[m];
         const auto [q, v] = terms[n];
-        add(std::min(p, q), std::max(p, q), (p == q && m != n ? 2 : 1) * u * v);
+        add(std::min(p, q), std::max(p, q), (p == q && m != n ? 2 : 1) * weight * u * v);
       }
   }
 }
 
 template <class Add>
-void Leeway::each_turned_block(const Add& add) const {
+void Leeway::each_turned_block(const Eigen::VectorXd& weights, const Add& add) const {
   const int periods = static_cast<int>(fabric_.points.cols());
   for (const Near& near : near_) {
     if (!near.touches || near.turned < 0) continue;
+    const double weight = mean(near, weights);
     const Turned& image = turned_[static_cast<std::size_t>(near.turned)];
     std::array<std::pair<int, Mat3>, 10> terms;
     for (int k = 0; k < 4; ++k) {
@@ -116,7 +123,7 @@ void Leeway::each_turned_block(const Add& add) const {
     for (std::size_t m = 0; m < terms.size(); ++m)
       for (std::size_t n = m; n < terms.size(); ++n) {
         const int p = terms[m].first, q = terms[n].first;
-        const Mat3 block = terms[m].second.transpose() * terms[n].second;
+        const Mat3 block = weight * terms[m].second.transpose() * terms[n].second;
         if (p == q && m != n)
           add(p, q, block + block.transpose());
         else if (p <= q)
@@ -127,19 +134,18 @@ void Leeway::each_turned_block(const Add& add) const {
   }
 }
 
-void Leeway::add_to(Stiffness& K, double weight) const {
-  const Mat3 block = weight * Mat3::Identity();
-  for (int i = 0; i < K.points(); ++i) K.add(i, i, shared_motion * block);
+void Leeway::add_to(Stiffness& K, const Eigen::VectorXd& weights) const {
+  for (int i = 0; i < K.points(); ++i) K.add(i, i, shared_motion * weights[i] * Mat3::Identity());
   const std::vector<int>& places = K.places(this, version_, [&](std::vector<int>& slots) {
     std::size_t count = 0;
-    each_block([&](int, int, double) { ++count; });
+    each_block(weights, [&](int, int, double) { ++count; });
     slots.reserve(count);
-    each_block([&](int i, int j, double) { slots.push_back(K.slot(i, j)); });
-    each_turned_block([&](int i, int j, const Mat3&) { slots.push_back(K.slot(i, j)); });
+    each_block(weights, [&](int i, int j, double) { slots.push_back(K.slot(i, j)); });
+    each_turned_block(weights, [&](int i, int j, const Mat3&) { slots.push_back(K.slot(i, j)); });
   });
   auto place = places.begin();
-  each_block([&](int, int, double factor) { K.add_at(*place++, factor * block); });
-  each_turned_block([&](int, int, const Mat3& of) { K.add_at(*place++, weight * of); });
+  each_block(weights, [&](int, int, double factor) { K.add_at(*place++, factor * Mat3::Identity()); });
+  each_turned_block(weights, [&](int, int, const Mat3& block) { K.add_at(*place++, block); });
 }
 
 }  // namespace wale

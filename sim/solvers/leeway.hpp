@@ -21,8 +21,9 @@ class Leeway {
   /// segments 0.9 of their gap, so that they do not meet, between 0.1 and 0.6 d. `move` has the columns of
   /// State::q.
   double share(const Points& move) const;
-  /// Adds weight/2 Σ |Δ_i - Δ_j|² over neighbours that touch, and a hundredth of it for motion that all share; N/m.
-  void add_to(Stiffness& K, double weight) const;
+  /// Adds weight/2 Σ |Δ_i - Δ_j|² over neighbours that touch, and a hundredth of it for motion that all share, N/m,
+  /// where the weight is the mean of those of the control points. `weights` has the columns of State::q.
+  void add_to(Stiffness& K, const Eigen::VectorXd& weights) const;
 
  private:
   struct Near {
@@ -38,12 +39,13 @@ class Leeway {
     std::array<Mat3, 2> by_period;
   };
   Vec3 apart(const Near&, const Points& move) const;
+  double mean(const Near&, const Eigen::VectorXd& weights) const;
   /// Calls add(i, j, factor) for every block between neighbours that add_to() adds to, i <= j.
   template <class Add>
-  void each_block(const Add& add) const;
+  void each_block(const Eigen::VectorXd& weights, const Add& add) const;
   /// The same with images that turn, and with the blocks.
   template <class Add>
-  void each_turned_block(const Add& add) const;
+  void each_turned_block(const Eigen::VectorXd& weights, const Add& add) const;
 
   const Fabric& fabric_;
   double thickness_ = 0;  // of the thinnest yarn, m

@@ -9,7 +9,7 @@
 namespace wale {
 namespace {
 
-constexpr double rough = 10;         // times the tolerance
+constexpr double rough = 10;                                 // times the tolerance
 constexpr double well_followed = 0.5, least_followed = 0.1;  // of a step
 constexpr double on_the_way = 0.01;  // of the control points, out of balance where the load only passes by
 constexpr int most_rounds = 10;      // of iterations at a load that stays
@@ -18,7 +18,7 @@ constexpr double first_creep = 1e-6, last_creep = 1e-3;
 // How far neighbours move against each other in a step, over what they may at once, for the next to be as long.
 constexpr double well_moved = 2;
 constexpr double least_growth = 0.5, most_growth = 1.5;  // of steps
-constexpr int most_failures = 3;  // before that is given up
+constexpr int most_failures = 3;                         // before that is given up
 
 /// Equilibrium after equilibrium; its time is the load parameter of the schedules.
 /// State::v holds the quasi-static velocity, from which the next equilibrium is guessed.

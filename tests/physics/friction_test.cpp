@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <numbers>
 
-#include "compiler/compile.hpp"
-#include "sim/results/results.hpp"
-#include "sim/run.hpp"
 #include "sim/solver.hpp"
 #include "sim/world.hpp"
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/one_thread.hpp"
+#include "tests/support/run_scene.hpp"
 
 namespace wale {
 namespace {
@@ -144,16 +142,6 @@ TEST(Friction, HoldsAYarnBelowTheAngleOfFrictionAndLetsItSlideAboveIt) {
     const double pull = heavy * (std::sin(steep) - friction * std::cos(steep));
     EXPECT_NEAR(slide_down(steep, friction), pull * fall * fall / 2, 0.05 * pull * fall * fall / 2 + slow * fall);
   }
-}
-
-Results run_scene(const std::string& text) {
-  Sources sources;
-  Diagnostics say;
-  const Source* source = sources.add(WALE_SOURCE_DIR "/patterns/friction.scene.yaml", text);
-  Results results;
-  results.scene = compile_scene(*source, sources, say).value();
-  if (run(results, {}) != Outcome::finished) throw std::runtime_error(results.effort.failure);
-  return results;
 }
 
 /// The last `count` numbers of a column.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "sim/effects/beads.hpp"
 #include "sim/parts.hpp"
@@ -545,6 +546,43 @@ TEST(Beads, AreInflatedByAlphaWhenTheirNumberIsTheBound) {
   EXPECT_EQ(beads_per_segment(3.999 * spacing, d, alpha), 4);
   EXPECT_EQ(beads_per_segment(4.001 * spacing, d, alpha), 5);
   EXPECT_NEAR(inflated_diameter(d, spacing), (1 + alpha) * d, 1e-15);
+}
+
+/// How far a quadratic model of what friction loses, with `secant`, lies above that at its lowest of many velocities, W
+/// over what is lost at the first.
+double lowest_of_model(double secant) {
+  const Fabric fabric = crossing_yarns(ContactLaw::core_shell, 11);
+  World world(fabric, {Friction{.coefficient = 0.4, .threshold = 1e-3}}, 0.0, at_rest(fabric));
+  const State at = shaken_state(fabric, 0.1, 2);
+  world.prepare(at);
+  double lost = 0;
+  Points force;
+  Stiffness damping(static_cast<int>(at.q.cols()));
+  Load load{.force = &force, .damping = &damping, .dissipation = &lost, .secant = secant};
+  world.evaluate(at, load);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (unsigned seed = 0; seed < 20; ++seed)
+    for (const double times : {0.01, 0.3, 1.0, 3.0}) {
+      // Half of them stop what slides, and turn it round.
+      Points change = seed % 2 ? Points(-times * at.v) : Points(Points::Zero(3, at.v.cols()));
+      shake(change, 0.1 * times, seed);
+      Eigen::VectorXd bent;
+      damping.multiply(change.reshaped(), bent);
+      double then = 0;
+      State moved = at;
+      moved.v += change;
+      Load loss{.dissipation = &then};
+      world.evaluate(moved, loss);
+      const double model = lost - force.cwiseProduct(change).sum() + change.reshaped().dot(bent) / 2;
+      lowest = std::min(lowest, (model - then) / lost);
+    }
+  return lowest;
+}
+
+TEST(Friction, LosesNoMoreThanAModelWithSecantsSays) {
+  EXPECT_GT(lowest_of_model(1), -1e-12);
+  EXPECT_LT(lowest_of_model(0), -0.01);
+  EXPECT_LT(lowest_of_model(0.5), lowest_of_model(1));
 }
 
 TEST(Gravity, OfARegionIsTheWeightOfItsSegmentsOfThoseYarns) {
