@@ -19,7 +19,7 @@ stages:
      solver: {{quasi_static: {{tolerance: 1, first_step: 2 %}}}}}}
   - {{name: relax, duration: 1 s, samples: 1, solver: {{quasi_static: {{tolerance: 0.3}}}},
      effects: {{plates: {{gap: 1.2 mm}}}}}}
-  - {{name: mount, duration: 1 s, mount: wale, samples: 8, effects: {{friction: , plates: {{gap: 1.2 mm}}}}}}
+  - {{name: mount, duration: {mounting} s, mount: wale, samples: {mount_samples}, effects: {{friction: , plates: {{gap: 1.2 mm}}}}}}
   - {{name: pull, duration: {duration} s, pull: {{along: wale, to: {strain} %}}, samples: {samples}, solver: {solver},
      effects: {{{effects}plates: {{gap: 1.2 mm}}}}}}
 solver: {{quasi_static: {{tolerance: 0.05}}}}
@@ -27,10 +27,11 @@ solver: {{quasi_static: {{tolerance: 0.05}}}}
 
 
 def swatch(pattern, wales, courses, segments, strain, samples, duration=8.0, effects="friction: , ",
-           solver="{quasi_static: {tolerance: 0.05}}"):
+           solver="{quasi_static: {tolerance: 0.05}}", mount_samples=8):
     """The text of a scene: tightened, relaxed, mounted and pulled as in examples/01_first_stitch."""
     return SCENE.format(root=ROOT, pattern=pattern, wales=wales, courses=courses, segments=segments, strain=strain,
-                        samples=samples, duration=duration, effects=effects, solver=solver)
+                        samples=samples, duration=duration, effects=effects, solver=solver,
+                        mounting=mount_samples / 8, mount_samples=mount_samples)
 
 
 def run_once(scene, out, threads):

@@ -53,7 +53,7 @@ Points Increment::push(const State& at) {
   Points force;
   Load load{.force = &force};
   world_.evaluate(at, load, Acting::elastic);
-  return world_.ties().empty() ? force : gather(force);
+  return force;
 }
 
 double Increment::value(const State& at, Points* force) {

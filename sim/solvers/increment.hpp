@@ -32,7 +32,7 @@ class Increment {
   bool dissipates() const { return dissipates_; }
   /// Brings caches up to date for V at `at`.
   void prepare(const State& at) { world_.prepare(at, Acting::elastic); }
-  /// The force -dV/dx, N, on what may move: 3 x points(). Prepares.
+  /// The force -dV/dq, N, on all columns of State::q. Prepares.
   Points push(const State& at);
   /// Φ, J; and the force -dΦ/dx, N, if it is wanted, on what may move: 3 x points(). Prepares.
   double value(const State& at, Points* force);
