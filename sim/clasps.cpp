@@ -1,6 +1,7 @@
 #include "sim/clasps.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 
 #include "sim/net_crossing.hpp"
@@ -89,12 +90,13 @@ bool crosses_twice(const Fabric& fabric, const Crossing& of, const Points& q, co
 }
 
 std::vector<bool> Clasps::follow(const Points& q) {
-  std::vector<bool> held(crossings_.size());
+  std::vector<std::uint8_t> held(crossings_.size());  // threads cannot share the words of vector<bool>
+#pragma omp parallel for schedule(dynamic, 16)
   for (std::size_t i = 0; i < crossings_.size(); ++i) {
     const double counted = climb(crossings_[i], places_[i], q);
     held[i] = counted >= surely_clasped || (counted >= clasped_or_across && links(crossings_[i], places_[i], q));
   }
-  return held;
+  return {held.begin(), held.end()};
 }
 
 }  // namespace wale
