@@ -17,6 +17,7 @@ namespace {
 // around images may be, as the fabric does not meet itself behind the axis. The next repeat is nearer than that.
 constexpr double least_shortening = 0.2, half_turn = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double much = 0.25;  // of the segments: where more have moved all are listed anew
 
 /// Ranges of segments: enough for many threads, but not so short that most contacts reach out of them.
 std::vector<int> even_boundaries(int segments) {
@@ -130,14 +131,14 @@ void Beads::prepare(const Points& q) {
     for (const double x : rows_)
       if (!std::isfinite(x)) return;
     if (fabric_.cell) find_images(q);
-    find_pairs();
-    if (!asleep_.empty()) {
-      all_pairs_ = pairs_;
-      keep_awake();
+    if (find_pairs(list_anew())) {
+      if (!asleep_.empty()) {
+        all_pairs_ = pairs_;
+        keep_awake();
+      }
+      index_pairs();
+      ++version_;
     }
-    index_pairs();
-    listed_rows_ = rows_;
-    ++version_;
   }
   if (fabric_.cell) place_images(q);
   double closest = std::numeric_limits<double>::infinity();
@@ -278,38 +279,77 @@ void Beads::turn_image(int image) {
   image_rows_[index(image)] = rows.data();
 }
 
+/// Where little has moved, only that: what has gone half as far as it may would soon be too far. What an endless fabric
+/// and sleepers are listed by is of one time.
+std::vector<std::uint8_t> Beads::list_anew() {
+  const auto segments = index(fabric_.segment_count());
+  std::vector<std::uint8_t> anew(segments, 1);
+  if (listed_rows_.size() == rows_.size() && !fabric_.cell && asleep_.empty()) {
+    const double stays = skin_ / 4;
+    long moved = 0;
+#pragma omp parallel for schedule(static) reduction(+ : moved)
+    for (int i = 0; i < fabric_.segment_count(); ++i) {
+      double furthest = 0;
+      for (int k = 0; k < count(i); ++k) furthest = std::max(furthest, (position(i, k) - listed(i, k)).squaredNorm());
+      anew[index(i)] = furthest > stays * stays;
+      moved += anew[index(i)];
+    }
+    if (static_cast<double>(moved) > much * static_cast<double>(segments)) anew.assign(segments, 1);
+  }
+  listed_rows_.resize(rows_.size());
+  for (int i = 0; i < fabric_.segment_count(); ++i)
+    if (anew[index(i)]) std::copy_n(rows_.data() + row(i), 3 * stride_, listed_rows_.data() + row(i));
+  return anew;
+}
+
 Beads::Spheres Beads::spheres() const {
   Spheres of{Points(3, fabric_.segment_count()), Eigen::VectorXd(fabric_.segment_count())};
+#pragma omp parallel for schedule(static)
   for (int i = 0; i < fabric_.segment_count(); ++i) {
     Vec3 sum = Vec3::Zero();
-    for (int k = 0; k < count(i); ++k) sum += position(i, k);
+    for (int k = 0; k < count(i); ++k) sum += listed(i, k);
     of.centres.col(i) = sum / count(i);
     double furthest = 0;
-    for (int k = 0; k < count(i); ++k)
-      furthest = std::max(furthest, (position(i, k) - of.centres.col(i)).squaredNorm());
+    for (int k = 0; k < count(i); ++k) furthest = std::max(furthest, (listed(i, k) - of.centres.col(i)).squaredNorm());
     of.radii[i] = std::sqrt(furthest);
   }
   return of;
 }
 
-void Beads::find_pairs() {
+/// Whether the list is another then.
+bool Beads::find_pairs(const std::vector<std::uint8_t>& anew) {
   const Spheres around = spheres();
   const Grid grid(around.centres, reach_ + 2 * around.radii.maxCoeff());
-  pairs_.clear();
-  for (int image = 0; image < static_cast<int>(images_.size()); ++image) {
-    find_pairs(image, grid, around);
-    if (image == 0) plain_pairs_ = pairs_.size();
+  std::vector<SegmentPair> found;
+  const auto list = [&](int image) { find_pairs(image, grid, around, anew, found); };
+  list(0);
+  const bool all = std::find(anew.begin(), anew.end(), 0) == anew.end();
+  if (!all) {
+    std::sort(found.begin(), found.end());
+    std::vector<SegmentPair> kept, merged;
+    std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(kept),
+                 [&](const SegmentPair& pair) { return !anew[index(pair.a)] && !anew[index(pair.b)]; });
+    std::merge(kept.begin(), kept.end(), found.begin(), found.end(), std::back_inserter(merged));
+    found = std::move(merged);
+    if (found == pairs_) return false;
   }
+  plain_pairs_ = found.size();
+  for (int image = 1; image < static_cast<int>(images_.size()); ++image) list(image);
+  pairs_ = std::move(found);
+  return true;
 }
 
-void Beads::find_pairs(int image, const Grid& grid, const Spheres& around) {
+/// Appends pairs with a segment that is listed anew.
+void Beads::find_pairs(int image, const Grid& grid, const Spheres& around, const std::vector<std::uint8_t>& anew,
+                       std::vector<SegmentPair>& found) const {
   std::vector<std::vector<int>> partners(index(fabric_.segment_count()));
 #pragma omp parallel for schedule(dynamic, 64)
   for (int a = 0; a < fabric_.segment_count(); ++a) {
+    if (!anew[index(a)]) continue;
     auto& mine = partners[index(a)];
     const Vec3 centre = back(around.centres.col(a), image);
     grid.near(centre, [&](int b) {
-      if (b <= a && image == 0) return;
+      if (image == 0 && (b == a || (b < a && anew[index(b)]))) return;
       const double furthest = diameter(a, b) + skin_ + around.radii[a] + around.radii[b];
       if ((centre - around.centres.col(b)).squaredNorm() < furthest * furthest && is_within_reach({a, b, image}))
         mine.push_back(b);
@@ -317,7 +357,8 @@ void Beads::find_pairs(int image, const Grid& grid, const Spheres& around) {
     std::sort(mine.begin(), mine.end());
   }
   for (int a = 0; a < fabric_.segment_count(); ++a)
-    for (const int b : partners[index(a)]) pairs_.push_back({a, b, image});
+    for (const int b : partners[index(a)])
+      found.push_back(image == 0 && b < a ? SegmentPair{b, a, image} : SegmentPair{a, b, image});
 }
 
 void Beads::index_pairs() {
@@ -370,9 +411,9 @@ void Beads::list_gaps(std::vector<Gap>& out) const {
 bool Beads::is_within_reach(const SegmentPair& pair) const {
   const double reach = diameter(pair.a, pair.b) + skin_;
   for (int i = 0; i < count(pair.a); ++i) {
-    const Vec3 at = back(position(pair.a, i), pair.image);
+    const Vec3 at = back(listed(pair.a, i), pair.image);
     for (int j = 0; j < count(pair.b); ++j)
-      if ((at - position(pair.b, j)).squaredNorm() < reach * reach && !screened(pair, i, j)) return true;
+      if ((at - listed(pair.b, j)).squaredNorm() < reach * reach && !screened(pair, i, j)) return true;
   }
   return false;
 }

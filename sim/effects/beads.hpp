@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -25,11 +26,12 @@ double inflated_diameter(double diameter, double spacing);
 struct SegmentPair {
   int a = 0, b = 0;  ///< a < b, unless it is an image of b
   int image = 0;     ///< which of Beads::images() of b
+  friend auto operator<=>(const SegmentPair&, const SegmentPair&) = default;
 };
 
 /// Spheres evenly spaced at s = (2i - 1) / (2n) along every segment, and the list of segment pairs in reach of each
-/// other. The list holds a skin, so that it stays good until some bead has moved half of it. In a periodic fabric beads
-/// also touch what lies some periods on.
+/// other. The list holds a skin, so that it stays good until some bead has moved half of it; then what has moved is
+/// listed anew. In a periodic fabric beads also touch what lies some periods on.
 class Beads {
  public:
   /// `skin` over the largest diameter, more than 0.
@@ -131,9 +133,12 @@ class Beads {
   double nearer_by_turns(const Points& q) const;
   double measure(int image);
   Vec3 position(const double* rows, int segment, int bead) const {
-    const double* x = rows + 3 * stride_ * index(segment) + bead;
+    const double* x = rows + row(segment) + bead;
     return {x[0], x[stride_], x[2 * stride_]};
   }
+  /// Where a bead was when its segment was listed, m.
+  Vec3 listed(int segment, int bead) const { return position(listed_rows_.data(), segment, bead); }
+  std::size_t row(int segment) const { return 3 * stride_ * index(segment); }
   bool curls() const { return fabric_.cell && fabric_.cell->may_curl(); }
   void find_images(const Points& q);
   void place_images(const Points& q);
@@ -148,8 +153,10 @@ class Beads {
     Eigen::VectorXd radii;
   };
   Spheres spheres() const;
-  void find_pairs();
-  void find_pairs(int image, const Grid& grid, const Spheres& around);
+  std::vector<std::uint8_t> list_anew();
+  bool find_pairs(const std::vector<std::uint8_t>& anew);
+  void find_pairs(int image, const Grid& grid, const Spheres& around, const std::vector<std::uint8_t>& anew,
+                  std::vector<SegmentPair>& found) const;
   void index_pairs();
   void find_reaches();
   void keep_awake();
