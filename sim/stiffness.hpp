@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/fabric.hpp"
+#include "sim/large_pages.hpp"
 
 namespace wale {
 
@@ -21,7 +22,7 @@ class Stiffness {
   /// Sets every value to zero and keeps the pattern.
   void clear();
   /// Gives back the memory of the values until the next clear() or assignment, and keeps the pattern.
-  void release() { std::vector<Mat3>().swap(values_); }
+  void release() { LargeArray<Mat3>().swap(values_); }
   /// Gives a value, zero, to slots that a copy has made.
   void fit();
   /// Adds to block (i, j), i <= j; block (j, i) follows by symmetry. A diagonal block must be symmetric.
@@ -80,7 +81,7 @@ class Stiffness {
   };
 
   std::shared_ptr<Pattern> pattern_;
-  std::vector<Mat3> values_;  // by slot
+  LargeArray<Mat3> values_;  // by slot
 };
 
 /// Calls `add(first, last)` on each thread, or on one if the work is `little`, with a range of points; together they

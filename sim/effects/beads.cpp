@@ -64,7 +64,7 @@ void Beads::set_up_kernels() {
   const auto segments = index(fabric_.segment_count()), materials = fabric_.materials.size();
   stride_ = (bases_.size() - 1 + row_step - 1) / row_step * row_step;
   boundaries_ = even_boundaries(fabric_.segment_count());
-  rows_.resize(3 * stride_ * segments);
+  rows_.resize(3 * stride_ * segments, 0);
   image_rows_ = {rows_.data()};
   arc_rows_.resize(stride_ * segments);
   weights_.resize(5 * stride_ * bases_.size());
@@ -268,7 +268,7 @@ void Beads::place_images(const Points& q) {
 }
 
 void Beads::turn_image(int image) {
-  std::vector<double>& rows = turned_rows_[index(image)];
+  LargeArray<double>& rows = turned_rows_[index(image)];
   rows = rows_;
   for (int i = 0; i < fabric_.segment_count(); ++i)
     for (int k = 0; k < count(i); ++k) {

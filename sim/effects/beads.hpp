@@ -10,6 +10,7 @@
 #include "sim/effect.hpp"
 #include "sim/image.hpp"
 #include "sim/kernels/bead_kernels.hpp"
+#include "sim/large_pages.hpp"
 #include "sim/parts.hpp"
 #include "sim/spline.hpp"
 
@@ -173,7 +174,7 @@ class Beads {
   std::vector<Eigen::Vector2i> images_{Eigen::Vector2i::Zero()};
   std::vector<Vec3> displacements_{Vec3::Zero()};  // by image, m
   std::vector<Image> turned_;                      // by image; empty unless the fabric curls
-  std::vector<std::vector<double>> turned_rows_;   // likewise: beads
+  std::vector<LargeArray<double>> turned_rows_;    // likewise: beads
   std::vector<const double*> image_rows_;          // by image: those, or rows_
   std::vector<SegmentPair> pairs_;
   std::size_t plain_pairs_ = 0;
@@ -189,7 +190,8 @@ class Beads {
   std::size_t stride_ = 0;
   std::vector<int> boundaries_;
   std::vector<int> furthest_, reaches_;  // by range, one behind the last segment
-  std::vector<double> rows_, listed_rows_, arc_rows_, weights_, spread_weights_;
+  LargeArray<double> rows_, listed_rows_;
+  std::vector<double> arc_rows_, weights_, spread_weights_;
   std::vector<std::int32_t> first_point_, material_, segment_a_, segment_b_;
   std::vector<std::int32_t> first_pair_;  // by image and segment, with one behind the last
   std::vector<std::uint8_t> near_along_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/lapack.hpp"
+#include "sim/large_pages.hpp"
 
 namespace wale {
 namespace {
@@ -56,14 +57,14 @@ class Fronts {
         waiting -= packed(left_by(stack.back()));
       if (supernodes_.parent(s) >= 0) stack.push_back(s);
     }
-    columns_ = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(columns));
-    rest_ = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(rest));
-    values_ = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(most_waiting));
+    columns_.resize(static_cast<std::size_t>(columns));
+    rest_.resize(static_cast<std::size_t>(rest));
+    values_.resize(static_cast<std::size_t>(most_waiting));
   }
 
   bool eliminate(int s, Panels& out, Eigen::MatrixXd& border) {
     const Eigen::Index width = 3 * supernodes_.width(s);
-    Matrix columns(columns_.get(), width + left_by(s), width);
+    Matrix columns(columns_.data(), width + left_by(s), width);
     columns.setZero();
     for (int r = 0; r < supernodes_.height(s); ++r) row_[index(supernodes_.rows(s)[r])] = r;
     for (int c = 0; c < supernodes_.width(s); ++c) add_own(supernodes_.first(s) + c, c, columns);
@@ -81,10 +82,10 @@ class Fronts {
   /// What is left of the rows below `columns`.
   void leave(int s, const Matrix& columns, Eigen::MatrixXd& border) {
     const Eigen::Index width = columns.cols(), left = left_by(s);
-    double* end = values_.get() + filled_;
+    double* end = values_.data() + filled_;
     for (Eigen::Index first = 0; first < left; first += wide) {
       const Eigen::Index size = std::min(wide, left - first), below = left - first - size;
-      Matrix rest(rest_.get(), left - first, size);
+      Matrix rest(rest_.data(), left - first, size);
       rest.setZero();
       for (Child& child : arriving_) take(child, width + first, rest);
       const auto mine = columns.middleRows(width + first, size);
@@ -109,7 +110,7 @@ class Fronts {
 
   void call_children(int s) {
     arriving_.clear();
-    const double* end = values_.get() + filled_;
+    const double* end = values_.data() + filled_;
     for (int child = 0; child < children_[index(s)]; ++child) {
       const int supernode = waiting_[waiting_.size() - 1 - index(child)];
       end -= packed(left_by(supernode));
@@ -119,10 +120,10 @@ class Fronts {
 
   /// What was made above them, up to `end`, takes their room.
   void dismiss_children(const double* end) {
-    const double* made = values_.get() + filled_;
+    const double* made = values_.data() + filled_;
     for (const Child& child : arriving_) filled_ -= packed(left_by(child.supernode));
     waiting_.resize(waiting_.size() - arriving_.size());
-    filled_ = std::copy(made, end, values_.get() + filled_) - values_.get();
+    filled_ = std::copy(made, end, values_.data() + filled_) - values_.data();
   }
 
   /// Column c of a front, of the point at a place: the blocks of K.
@@ -167,14 +168,14 @@ class Fronts {
   double shift_;
   const UsedBlocks& used_;
   const Supernodes& supernodes_;
-  std::vector<int> place_;                    // by point; -1: of another part
-  std::vector<int> row_;                      // by place: which row it is of the front at hand, in points
-  std::vector<int> children_;                 // how many, by supernode
-  std::vector<int> waiting_;                  // supernodes whose parents are still to come
-  std::vector<Child> arriving_;               // of the front at hand, last eliminated first
-  std::unique_ptr<double[]> columns_, rest_;  // of the front at hand
-  std::unique_ptr<double[]> values_;          // the lower triangles of what waits
-  Eigen::Index filled_ = 0;                   // of values_
+  std::vector<int> place_;             // by point; -1: of another part
+  std::vector<int> row_;               // by place: which row it is of the front at hand, in points
+  std::vector<int> children_;          // how many, by supernode
+  std::vector<int> waiting_;           // supernodes whose parents are still to come
+  std::vector<Child> arriving_;        // of the front at hand, last eliminated first
+  LargeArray<double> columns_, rest_;  // of the front at hand
+  LargeArray<double> values_;          // the lower triangles of what waits
+  Eigen::Index filled_ = 0;            // of values_
 };
 
 }  // namespace

@@ -53,9 +53,9 @@ Panels::Panels(const Supernodes& supernodes, Precision precision) {
   }
   first_.push_back(panels_.size());
   if (precision == Precision::single_)
-    values_ = std::make_unique_for_overwrite<float[]>(values());
+    values_.emplace<LargeArray<float>>(values());
   else
-    values_ = std::make_unique_for_overwrite<double[]>(values());
+    values_.emplace<LargeArray<double>>(values());
 }
 
 template <class Value>
@@ -99,15 +99,15 @@ void Panels::backward(const Value* values, Eigen::VectorXd& x) const {
 }
 
 void Panels::keep(int supernode, const Eigen::Ref<const Eigen::MatrixXd>& columns) {
-  std::visit([&](const auto& values) { keep(supernode, columns, values.get()); }, values_);
+  std::visit([&](auto& values) { keep(supernode, columns, values.data()); }, values_);
 }
 
 void Panels::forward(Eigen::VectorXd& x) const {
-  std::visit([&](const auto& values) { forward(values.get(), x); }, values_);
+  std::visit([&](const auto& values) { forward(values.data(), x); }, values_);
 }
 
 void Panels::backward(Eigen::VectorXd& x) const {
-  std::visit([&](const auto& values) { backward(values.get(), x); }, values_);
+  std::visit([&](const auto& values) { backward(values.data(), x); }, values_);
 }
 
 }  // namespace wale

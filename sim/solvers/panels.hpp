@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <variant>
 
+#include "sim/large_pages.hpp"
 #include "sim/solvers/supernodes.hpp"
 
 namespace wale {
@@ -52,8 +52,8 @@ class Panels {
   std::vector<Panel> panels_;
   std::vector<std::size_t> starts_{0};  // by panel: where its values start, by columns; one more at the end
   std::vector<std::size_t> first_;      // by supernode: its first panel; one more at the end
-  std::variant<std::unique_ptr<float[]>, std::unique_ptr<double[]>> values_;  // on the diagonal the reciprocals
-  std::size_t tallest_ = 0;                                                   // coordinates
+  std::variant<LargeArray<float>, LargeArray<double>> values_;  // on the diagonal the reciprocals
+  std::size_t tallest_ = 0;                                     // coordinates
 };
 
 }  // namespace wale
