@@ -112,7 +112,7 @@ class QuasiStaticSolver final : public Solver {
   }
 
   /// Another way to the equilibrium at `next.t`, for where Newton's method finds none however short the step: inertia
-  /// holds the fabric back less and less. Not for a periodic fabric, whose periods have none.
+  /// holds the fabric back less and less. Not tried for a periodic fabric.
   bool creep(State& next) {
     if (world_.fabric().cell) return false;
     ++effort_.retries.damped;
