@@ -26,7 +26,7 @@ struct LargePages {
   /// Throws std::bad_alloc.
   T* allocate(std::size_t count) {
     if (count > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
-    if (!is_large(count)) return static_cast<T*>(::operator new (count * sizeof(T), std::align_val_t{alignof(T)}));
+    if (!is_large(count)) return static_cast<T*>(::operator new(count * sizeof(T)));
     const std::size_t bytes = (count * sizeof(T) + page - 1) / page * page;
     void* const memory = std::aligned_alloc(page, bytes);
     if (!memory) throw std::bad_alloc();
@@ -38,7 +38,7 @@ struct LargePages {
     if (is_large(count))
       std::free(memory);
     else
-      ::operator delete (memory, std::align_val_t{alignof(T)});
+      ::operator delete(memory);
   }
 
   template <class U, class... Values>
