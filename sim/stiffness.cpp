@@ -49,12 +49,27 @@ int Stiffness::slot(int i, int j) {
 }
 
 void Stiffness::slots(int i, int j, int count, std::vector<int>& out) {
+  out.resize(out.size() + static_cast<std::size_t>(count));
+  make_slots(i, j, count, out.data() + out.size() - count);
+}
+
+void Stiffness::make_slots(int i, int j, int count, int* out) {
   const auto& entries = row(i);
   auto at = static_cast<std::size_t>(find(entries, j) - entries.begin());
-  for (const int end = j + count; j < end; ++j, ++at) {
+  for (const int end = j + count; j < end; ++j, ++at, ++out) {
     if (at == entries.size() || entries[at].column != j) slot(i, j);
-    out.push_back(entries[at].slot);
+    *out = entries[at].slot;
   }
+}
+
+bool Stiffness::find_slots(int i, int j, int count, int* out) const {
+  const auto& entries = row(i);
+  auto at = find(entries, j);
+  for (const int end = j + count; j < end; ++j, ++at, ++out) {
+    if (at == entries.end() || at->column != j) return false;
+    *out = at->slot;
+  }
+  return true;
 }
 
 void Stiffness::add(const Stiffness& other, double factor) {

@@ -31,6 +31,10 @@ class Stiffness {
   int slot(int i, int j);
   /// Appends the slots of blocks (i, j) ... (i, j + count - 1).
   void slots(int i, int j, int count, std::vector<int>& out);
+  /// Writes the slots of blocks (i, j) ... (i, j + count - 1) to `out` if there are all of them, and answers that.
+  bool find_slots(int i, int j, int count, int* out) const;
+  /// Writes them in any case.
+  void make_slots(int i, int j, int count, int* out);
   void add_at(int slot, const Mat3& block) { values_[static_cast<std::size_t>(slot)] += block; }
   const Mat3& at(int slot) const { return values_[static_cast<std::size_t>(slot)]; }
 

@@ -430,13 +430,39 @@ class BetweenYarns final : public Effect {
            static_cast<std::size_t>(4 * first - first * (first + 1) / 2 + k % 4);
   }
 
-  void list_mixed(const SegmentPair& pair, Stiffness& matrix, std::vector<int>& slots) const {
-    const int a = point(pair, 0), b = point(pair, 4);
-    for (int j = 0; j < 4; ++j) {
-      if (b >= a + 4)
-        matrix.slots(a + j, b, 4, slots);
-      else
-        for (int k = 0; k < 4; ++k) slots.push_back(matrix.slot(std::min(a + j, b + k), std::max(a + j, b + k)));
+  /// Calls act(i, j, blocks, at) for every run of blocks (i, j) ... (i, j + blocks - 1) of a segment's own, or of those
+  /// that a pair mixes, which come `at` so many. While it answers true.
+  template <class Act>
+  bool each_own(int segment, const Act& act) const {
+    const int first = parts_.fabric.first_point(segment);
+    for (int j = 0, at = 0; j < 4; at += 4 - j, ++j)
+      if (!act(first + j, first + j, 4 - j, at)) return false;
+    return true;
+  }
+  template <class Act>
+  bool each_mixed(const SegmentPair& pair, const Act& act) const {
+    const int a = point(pair, 0), b = point(pair, 4), at_once = b >= a + 4 ? 4 : 1;
+    for (int j = 0; j < 4; ++j)
+      for (int k = 0; k < 4; k += at_once)
+        if (!act(std::min(a + j, b + k), std::max(a + j, b + k), at_once, 4 * j + k)) return false;
+    return true;
+  }
+
+  /// Appends the slots of `count` times `blocks` blocks, each(n, act): on all threads where there are all of them.
+  template <class Each>
+  static void list(Stiffness& matrix, std::size_t count, std::size_t blocks, const Each& each,
+                   std::vector<int>& slots) {
+    const std::size_t before = slots.size();
+    slots.resize(before + count * blocks);
+#pragma omp parallel for schedule(static)
+    for (std::size_t n = 0; n < count; ++n) {
+      int* const of = slots.data() + before + n * blocks;
+      if (!each(n, [&](int i, int j, int run, int at) { return matrix.find_slots(i, j, run, of + at); })) of[0] = -1;
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+      int* const of = slots.data() + before + n * blocks;
+      if (of[0] < 0)
+        each(n, [&](int i, int j, int run, int at) { return matrix.make_slots(i, j, run, of + at), true; });
     }
   }
 
@@ -444,12 +470,11 @@ class BetweenYarns final : public Effect {
   /// pattern changes only with the list.
   const std::vector<int>& places_in(Stiffness& matrix) const {
     return matrix.places(this, beads_->version(), [&](std::vector<int>& slots) {
-      const int segments = parts_.fabric.segment_count();
-      slots.reserve(own_blocks * static_cast<std::size_t>(segments) + mixed_blocks * beads_->pairs().size());
-      for (int i = 0; i < segments; ++i)
-        for (int j = 0, first = parts_.fabric.first_point(i); j < 4; ++j)
-          matrix.slots(first + j, first + j, 4 - j, slots);
-      for (const SegmentPair& pair : beads_->pairs()) list_mixed(pair, matrix, slots);
+      const auto segments = static_cast<std::size_t>(parts_.fabric.segment_count());
+      const auto own = [&](std::size_t i, const auto& act) { return each_own(static_cast<int>(i), act); };
+      const auto mixed = [&](std::size_t p, const auto& act) { return each_mixed(beads_->pairs()[p], act); };
+      list(matrix, segments, own_blocks, own, slots);
+      list(matrix, beads_->pairs().size(), mixed_blocks, mixed, slots);
     });
   }
 
