@@ -17,6 +17,7 @@ constexpr int most_rounds = 10;      // of iterations at a load that stays
 constexpr double first_creep = 1e-6, last_creep = 1e-3;
 // How far neighbours move against each other in a step, over what they may at once, for the next to be as long.
 constexpr double well_moved = 2;
+constexpr double stretched = 1.25;                       // times a step: what is taken at once
 constexpr double least_growth = 0.5, most_growth = 1.5;  // of steps
 constexpr int most_failures = 3;                         // before that is given up
 
@@ -39,7 +40,7 @@ class QuasiStaticSolver final : public Solver {
     equilibrium_.forget();
     if (state_.step <= 0) state_.step = spec_.first_step > 0 ? spec_.first_step : until - state_.t;
     for (int rounds = 0;;) {
-      double target = until - state_.t <= 1.001 * state_.step ? until : state_.t + state_.step;
+      double target = next_stop(until);
       const bool moves = load_changes(target), changes = moves || increment_.dissipates();
       State next = guess(target, moves);
       target = next.t;
@@ -89,6 +90,13 @@ class QuasiStaticSolver final : public Solver {
   }
 
  private:
+  /// No crumb is left to the end: two steps that are left are alike, and a little more than one is taken at once.
+  double next_stop(double until) const {
+    const double left = until - state_.t;
+    if (left <= stretched * state_.step) return until;
+    return state_.t + (left < 2 * state_.step ? left / 2 : state_.step);
+  }
+
   /// Where the load changes the fabric goes on as it did.
   State guess(double target, bool load_changes) {
     State next = state_;
