@@ -8,7 +8,7 @@
 #include <map>
 
 #include "sim/solver.hpp"
-#include "sim/solvers/clearance.hpp"
+#include "sim/solvers/even_motion.hpp"
 #include "tests/support/resting_jersey.hpp"
 
 namespace wale {

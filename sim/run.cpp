@@ -13,6 +13,7 @@
 #include "sim/results/curves.hpp"
 #include "sim/results/topology.hpp"
 #include "sim/solvers/clearance.hpp"
+#include "sim/solvers/even_motion.hpp"
 #include "sim/stage.hpp"
 #include "sim/tile.hpp"
 
@@ -81,7 +82,8 @@ class Run {
   /// A loop is several diameters of yarn long, so that little can have slid where nothing has moved by half of one, but
   /// for what all of the fabric does.
   bool slid(const Points& q) const {
-    return largest_motion(followed_, q) >= half_diameter_ && uneven_motion(followed_, q - followed_) >= half_diameter_;
+    return largest_motion(followed_, q) >= half_diameter_ &&
+           uneven_motion_nearby(results_.scene.fabric, followed_, q - followed_) >= half_diameter_;
   }
 
   /// Of a step on its way to `q`. One that was given up is tried anew from `before`.

@@ -1,6 +1,5 @@
 #include "sim/solvers/clearance.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,19 +96,5 @@ int about_to_pass(const Fabric& fabric, const Points& before, const Points& afte
   }
   return -1;
 }
-
-double largest_motion(const Points& from, const Points& to) { return (to - from).colwise().norm().maxCoeff(); }
-
-Points even_motion(const Points& q, const Points& move) {
-  Eigen::MatrixXd place(4, q.cols());
-  place.topRows<3>() = q.colwise() - q.rowwise().mean();
-  place.row(3).setOnes();
-  // A flat or straight fabric says nothing of some directions: the least change there is none.
-  const Eigen::Matrix4d spread = place * place.transpose();
-  const Eigen::Matrix<double, 4, 3> even = spread.completeOrthogonalDecomposition().solve(place * move.transpose());
-  return even.transpose() * place;
-}
-
-double uneven_motion(const Points& q, const Points& move) { return largest_motion(even_motion(q, move), move); }
 
 }  // namespace wale

@@ -23,13 +23,4 @@ inline constexpr double least_clearance = 0.1;
 /// have come nearer since `before`; -1 if there is none. The quadratic law lets yarns pass, and they may.
 int about_to_pass(const Fabric&, const Points& before, const Points& after, const std::vector<Gap>& gaps);
 
-/// How far the control point that goes furthest goes, m.
-double largest_motion(const Points& from, const Points& to);
-
-/// What of `move` a uniform strain, turn and shift of all of `q` explains, m.
-Points even_motion(const Points& q, const Points& move);
-
-/// The largest motion of a column of `move` beyond even_motion(), m.
-double uneven_motion(const Points& q, const Points& move);
-
 }  // namespace wale

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/solvers/clearance.hpp"
+#include "sim/solvers/even_motion.hpp"
 #include "sim/solvers/whereabouts.hpp"
 
 namespace wale {
@@ -61,7 +62,9 @@ double Equilibrium::clearance_at(const State& state) const {
 /// Looks at the yarns on the way as often as something could have come near that was not.
 bool Equilibrium::stays_apart(const State& from, const Points& move) {
   const double enough = std::min(clearance_, least_clearance);
-  const int looks = 1 + static_cast<int>(std::ceil(uneven_motion(from.q, move) / (furthest_unseen * thickness_)));
+  const int looks =
+      1 +
+      static_cast<int>(std::ceil(uneven_motion_nearby(world_.fabric(), from.q, move) / (furthest_unseen * thickness_)));
   State between = from;
   for (int look = 1; look <= looks; ++look) {
     between.q = from.q + move * (static_cast<double>(look) / looks);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/solver.hpp"
-#include "sim/solvers/clearance.hpp"
+#include "sim/solvers/even_motion.hpp"
 #include "tests/support/make_fabric.hpp"
 #include "tests/support/one_thread.hpp"
 #include "tests/support/resting_jersey.hpp"
