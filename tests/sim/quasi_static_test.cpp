@@ -49,5 +49,28 @@ TEST(QuasiStatic, LeavesNothingOutOfBalanceThatFrictionWouldRemember) {
   for (const double residual : jersey.residuals) EXPECT_LE(residual, jersey.allowed());
 }
 
+/// How far through the stage every step ends, of one sample under a load that stays.
+std::vector<double> stops(const std::string& first_step) {
+  const OneThread one_thread;
+  std::vector<double> made;
+  RunOptions options;
+  options.progress = [&](const RunStatus& status) { made.push_back(status.fraction); };
+  run_scene(fmt::format(R"(scene: 1
+fabric: {{pattern: jersey.yaml, wales: 4, courses: 4, segments_per_stitch: 10}}
+effects: {{stretch: , bend: , contact: , knots: , friction: }}
+stages: [{{name: relax, duration: 1 s, samples: 1}}]
+solver: {{quasi_static: {{tolerance: 1000, first_step: {}}}}}
+)",
+                        first_step),
+            options);
+  return made;
+}
+
+TEST(QuasiStatic, LeavesNoCrumbToTheEndOfASample) {
+  EXPECT_EQ(stops("90 %"), std::vector<double>{1});
+  EXPECT_EQ(stops("60 %"), (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(stops("40 %"), (std::vector<double>{0.4, 1}));
+}
+
 }  // namespace
 }  // namespace wale
