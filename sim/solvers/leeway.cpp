@@ -14,7 +14,7 @@ constexpr double along_yarn = 0.3;      // of the diameter
 constexpr double across_yarns = 0.6;    // of the diameter
 constexpr double least_across = 0.1;    // of the diameter: yarns that lie in each other must be able to part
 constexpr double share_of_gap = 0.9;    // two yarns that come nearer by this share of their gap do not meet
-constexpr double shared_motion = 0.01;  // of the weight
+constexpr double most_shared = 0.01;    // of the weight
 
 }  // namespace
 
@@ -36,6 +36,20 @@ void Leeway::update(const Points& q, const std::vector<Gap>& gaps) {
     const Vec3 centre = q.middleCols<4>(near_.back().b).rowwise().mean();
     turned_.push_back({image.turn(), {image.by_period(centre, 0), image.by_period(centre, 1)}});
   }
+  share_motion(q);
+}
+
+/// A strain of all of a fabric costs by what it moves as much as by what it moves neighbours, about a diameter apart,
+/// against each other. Loose yarn has no neighbours to hold it.
+void Leeway::share_motion(const Points& q) {
+  shared_ = Eigen::VectorXd::Constant(q.cols(), most_shared);
+  if (fabric_.cell) return;
+  const double points = static_cast<double>(q.cols());
+  const double from_middle = (q.colwise() - q.rowwise().mean()).squaredNorm();
+  const double shared = std::min(most_shared, thickness_ * thickness_ * points / from_middle);
+  for (const Near& near : near_)
+    if (near.touches)
+      for (const int first : {near.a, near.b}) shared_.segment<4>(first).setConstant(shared);
 }
 
 /// How much further the middle of a is from that of b.
@@ -135,7 +149,7 @@ void Leeway::each_turned_block(const Eigen::VectorXd& weights, const Add& add) c
 }
 
 void Leeway::add_to(Stiffness& K, const Eigen::VectorXd& weights) const {
-  for (int i = 0; i < K.points(); ++i) K.add(i, i, shared_motion * weights[i] * Mat3::Identity());
+  for (int i = 0; i < K.points(); ++i) K.add(i, i, shared_[i] * weights[i] * Mat3::Identity());
   const std::vector<int>& places = K.places(this, version_, [&](std::vector<int>& slots) {
     std::size_t count = 0;
     each_block(weights, [&](int, int, double) { ++count; });

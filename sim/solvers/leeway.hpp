@@ -21,8 +21,9 @@ class Leeway {
   /// segments 0.9 of their gap, so that they do not meet, between 0.1 and 0.6 d. `move` has the columns of
   /// State::q.
   double share(const Points& move) const;
-  /// Adds weight/2 Σ |Δ_i - Δ_j|² over neighbours that touch, and a hundredth of it for motion that all share, N/m,
-  /// where the weight is the mean of those of the control points. `weights` has the columns of State::q.
+  /// Adds weight/2 Σ |Δ_i - Δ_j|² over neighbours that touch, where the weight is the mean of those of the control
+  /// points, N/m; and a little of it for motion that all share: a hundredth where nothing touches, elsewhere no more than
+  /// lets all of a large fabric stretch and move as easily as a small one. `weights` has the columns of State::q.
   void add_to(Stiffness& K, const Eigen::VectorXd& weights) const;
 
  private:
@@ -38,6 +39,7 @@ class Leeway {
     Mat3 turn;
     std::array<Mat3, 2> by_period;
   };
+  void share_motion(const Points& q);
   Vec3 apart(const Near&, const Points& move) const;
   double mean(const Near&, const Eigen::VectorXd& weights) const;
   /// Calls add(i, j, factor) for every block between neighbours that add_to() adds to, i <= j.
@@ -51,6 +53,7 @@ class Leeway {
   double thickness_ = 0;  // of the thinnest yarn, m
   std::vector<Near> near_;
   std::vector<Turned> turned_;
+  Eigen::VectorXd shared_;  // of the weight, for motion that all share, by column of State::q
   long version_ = 0;  // of near_
 };
 
