@@ -10,11 +10,11 @@
 namespace wale {
 namespace {
 
-constexpr double along_yarn = 0.3;      // of the diameter
-constexpr double across_yarns = 0.6;    // of the diameter
-constexpr double least_across = 0.1;    // of the diameter: yarns that lie in each other must be able to part
-constexpr double share_of_gap = 0.9;    // two yarns that come nearer by this share of their gap do not meet
-constexpr double most_shared = 0.01;    // of the weight
+constexpr double along_yarn = 0.3;    // of the diameter
+constexpr double across_yarns = 0.6;  // of the diameter
+constexpr double least_across = 0.1;  // of the diameter: yarns that lie in each other must be able to part
+constexpr double share_of_gap = 0.9;  // two yarns that come nearer by this share of their gap do not meet
+constexpr double most_shared = 0.01;  // of the weight
 
 }  // namespace
 

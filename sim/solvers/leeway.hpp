@@ -22,8 +22,8 @@ class Leeway {
   /// State::q.
   double share(const Points& move) const;
   /// Adds weight/2 Σ |Δ_i - Δ_j|² over neighbours that touch, where the weight is the mean of those of the control
-  /// points, N/m; and a little of it for motion that all share: a hundredth where nothing touches, elsewhere no more than
-  /// lets all of a large fabric stretch and move as easily as a small one. `weights` has the columns of State::q.
+  /// points, N/m; and a little of it for motion that all share: a hundredth where nothing touches, elsewhere no more
+  /// than lets all of a large fabric stretch and move as easily as a small one. `weights` has the columns of State::q.
   void add_to(Stiffness& K, const Eigen::VectorXd& weights) const;
 
  private:
@@ -54,7 +54,7 @@ class Leeway {
   std::vector<Near> near_;
   std::vector<Turned> turned_;
   Eigen::VectorXd shared_;  // of the weight, for motion that all share, by column of State::q
-  long version_ = 0;  // of near_
+  long version_ = 0;        // of near_
 };
 
 }  // namespace wale
