@@ -5,14 +5,15 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/cubes.hpp"
+
 namespace wale {
 namespace {
 
-constexpr double harmless = 0.5;  // strain and turn, which bring nothing to the other side of anything
-constexpr int least_cubes = 4;    // in all of a fabric, for its patches to be worth a look
+constexpr double harmless = 0.5;        // strain and turn, which bring nothing to the other side of anything
+constexpr std::size_t least_cubes = 4;  // in all of a fabric, for its patches to be worth a look
 
 using Vec4 = Eigen::Vector4d;
-using Index3 = Eigen::Array3i;
 using Affine = Eigen::Matrix<double, 3, 4>;  // of a place with a one below
 
 /// Sums over control points: of their places, a one below each, with themselves and with the motions.
@@ -42,18 +43,14 @@ struct Moments {
   }
 };
 
-/// Cubes of space, and as patches the eight of them around each corner: any two points no further apart than a cube is
-/// wide lie in one patch.
+/// The eight cubes around each corner of cubes: any two points no further apart than a cube is wide lie in one patch.
 class Patches {
  public:
-  /// Cubes are wider than that where there would be more of them than points.
-  Patches(const Points& q, double width) : low_(q.rowwise().minCoeff()), width_(width) {
-    const Vec3 span = q.rowwise().maxCoeff() - low_;
-    while ((span / width_ + Vec3::Ones()).prod() > static_cast<double>(q.cols())) width_ *= 1.26;
-    cubes_ = (span / width_).cast<int>().array() + 1;
-  }
+  /// There are no more cubes than points.
+  Patches(const Points& q, double width)
+      : cubes_(q, width, static_cast<double>(q.cols())), count_(cubes_.count() + 1) {}
 
-  int cubes() const { return cubes_.prod(); }
+  std::size_t cubes() const { return cubes_.all(); }
 
   /// The largest motion beyond the even one of any patch that a point lies in.
   double uneven(const Points& q, const Points& move) const {
@@ -62,43 +59,37 @@ class Patches {
 #pragma omp parallel for schedule(static) reduction(max : most)
     for (Eigen::Index k = 0; k < q.cols(); ++k) {
       const Vec4 at = place(q.col(k));
-      each_patch(cube(q.col(k)),
+      each_patch(cubes_.of(q.col(k)),
                  [&](std::size_t patch) { most = std::max(most, (move.col(k) - even[patch] * at).squaredNorm()); });
     }
     return std::sqrt(most);
   }
 
  private:
-  Index3 cube(const Vec3& at) const { return ((at - low_) / width_).cast<int>(); }
-  Vec4 place(const Vec3& at) const { return ((at - low_) / width_).homogeneous(); }
+  Vec4 place(const Vec3& at) const { return cubes_.in_widths(at).homogeneous(); }
 
   template <class Visit>
-  void each_patch(const Index3& cube, const Visit& visit) const {
-    for (int corner = 0; corner < 8; ++corner) {
-      const Index3 at = cube + Index3(corner & 1, corner >> 1 & 1, corner >> 2);
-      visit(static_cast<std::size_t>(at.x() + (cubes_.x() + 1) * (at.y() + (cubes_.y() + 1) * at.z())));
-    }
+  void each_patch(const CubeIndex& cube, const Visit& visit) const {
+    for (int corner = 0; corner < 8; ++corner)
+      visit(Cubes::flat_in(count_, cube + CubeIndex(corner & 1, corner >> 1 & 1, corner >> 2)));
   }
 
   std::vector<Affine> even_motions(const Points& q, const Points& move) const {
-    std::vector<Moments> of_cube(static_cast<std::size_t>(cubes())),
-        of_patch(static_cast<std::size_t>((cubes_ + 1).prod()));
-    const auto flat = [&](const Index3& at) {
-      return static_cast<std::size_t>(at.x() + cubes_.x() * (at.y() + cubes_.y() * at.z()));
-    };
-    for (Eigen::Index k = 0; k < q.cols(); ++k) of_cube[flat(cube(q.col(k)))].add(place(q.col(k)), move.col(k));
-    for (Index3 at(0, 0, 0); at.z() < cubes_.z(); ++at.z())
-      for (at.y() = 0; at.y() < cubes_.y(); ++at.y())
-        for (at.x() = 0; at.x() < cubes_.x(); ++at.x())
-          each_patch(at, [&](std::size_t patch) { of_patch[patch].add(of_cube[flat(at)]); });
+    std::vector<Moments> of_cube(cubes_.all()), of_patch(Cubes::flat_in(count_, count_ - 1) + 1);
+    for (Eigen::Index k = 0; k < q.cols(); ++k)
+      of_cube[cubes_.flat(cubes_.of(q.col(k)))].add(place(q.col(k)), move.col(k));
+    const CubeIndex& count = cubes_.count();
+    for (CubeIndex at(0, 0, 0); at.z() < count.z(); ++at.z())
+      for (at.y() = 0; at.y() < count.y(); ++at.y())
+        for (at.x() = 0; at.x() < count.x(); ++at.x())
+          each_patch(at, [&](std::size_t patch) { of_patch[patch].add(of_cube[cubes_.flat(at)]); });
     std::vector<Affine> even;
-    for (const Moments& moments : of_patch) even.push_back(moments.even(width_));
+    for (const Moments& moments : of_patch) even.push_back(moments.even(cubes_.width()));
     return even;
   }
 
-  Vec3 low_;
-  double width_ = 0;
-  Index3 cubes_;
+  Cubes cubes_;
+  CubeIndex count_;  // of patches along each axis
 };
 
 /// No point of a yarn is further from a control point that bends it, m.
