@@ -84,6 +84,17 @@ void Stiffness::add(const Stiffness& other, double factor) {
       if (entry.column >= i) add_at(slots[next++], factor * other.at(entry.slot));
 }
 
+void Stiffness::add_part(const Stiffness& of, const std::vector<int>& points) {
+  std::vector<int> place(static_cast<std::size_t>(of.points()), -1);
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+    place[static_cast<std::size_t>(points[static_cast<std::size_t>(i)])] = i;
+  for (const int point : points)
+    for (const Entry& entry : of.row(point)) {
+      const int column = place[static_cast<std::size_t>(entry.column)];
+      if (entry.column >= point && column >= 0) add(place[static_cast<std::size_t>(point)], column, of.at(entry.slot));
+    }
+}
+
 void Stiffness::hold(int point, int axis, double diagonal) {
   for (const Entry& entry : row(point)) {
     Mat3& block = values_[static_cast<std::size_t>(entry.slot)];

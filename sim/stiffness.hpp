@@ -57,6 +57,8 @@ class Stiffness {
   void scale(double factor);
   /// Adds `factor` times another matrix of as many points.
   void add(const Stiffness& other, double factor);
+  /// Adds what another matrix has between some of its points, ascending, which are all of these.
+  void add_part(const Stiffness& of, const std::vector<int>& points);
   /// Takes coordinate `axis` of a point out: no force on it, and none by it, but `diagonal` times its own motion.
   void hold(int point, int axis, double diagonal);
   /// How many blocks there are.

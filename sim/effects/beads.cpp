@@ -131,11 +131,13 @@ void Beads::prepare(const Points& q) {
     for (const double x : rows_)
       if (!std::isfinite(x)) return;
     if (fabric_.cell) find_images(q);
-    if (find_pairs(list_anew())) {
-      if (!asleep_.empty()) {
-        all_pairs_ = pairs_;
-        keep_awake();
-      }
+    if (!asleep_.empty()) pairs_ = all_pairs_;
+    const bool others = find_pairs(list_anew());
+    if (!asleep_.empty()) {
+      if (others) all_pairs_ = pairs_;
+      keep_awake();
+    }
+    if (others) {
       index_pairs();
       ++version_;
     }
@@ -280,11 +282,11 @@ void Beads::turn_image(int image) {
 }
 
 /// Where little has moved, only that: what has gone half as far as it may would soon be too far. What an endless fabric
-/// and sleepers are listed by is of one time.
+/// is listed by is of one time.
 std::vector<std::uint8_t> Beads::list_anew() {
   const auto segments = index(fabric_.segment_count());
   std::vector<std::uint8_t> anew(segments, 1);
-  if (listed_rows_.size() == rows_.size() && !fabric_.cell && asleep_.empty()) {
+  if (listed_rows_.size() == rows_.size() && !fabric_.cell) {
     const double stays = skin_ / 4;
     long moved = 0;
 #pragma omp parallel for schedule(static) reduction(+ : moved)

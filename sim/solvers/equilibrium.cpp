@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "sim/solvers/clearance.hpp"
 #include "sim/solvers/even_motion.hpp"
+#include "sim/solvers/surroundings.hpp"
 #include "sim/solvers/whereabouts.hpp"
 
 namespace wale {
@@ -20,7 +22,12 @@ constexpr double never_through = 0.5;  // of the diameter: beads so far apart le
 constexpr double reach_when_free = 1.5;
 constexpr Eigen::Index points_around = 8;  // control points along a yarn
 constexpr int most_inner = 60;             // conjugate-gradient steps
-constexpr int most_corrections = 4;        // with the factor of one step
+// Of the control points: of which so few may be out of balance, and so many be moved for them, on their own.
+constexpr double few_places = 0.01, most_moved = 0.3;
+constexpr double around_places = 3;  // diameters
+constexpr int most_of_places = 60;   // iterations
+constexpr int most_rounds = 3;
+constexpr int most_corrections = 4;  // with the factor of one step
 // Of the energy that a step promised: what it must gain to be taken; below which the model is trusted less; and above
 // which it is trusted more.
 constexpr double least_gain = 1e-3, poor_gain = 0.25, good_gain = 0.6;
@@ -227,6 +234,40 @@ bool Equilibrium::is_met(const Goal& goal, const Trial& now) const {
          clearance_at(now.state) > 2 * least_clearance;
 }
 
+/// The control points that are out of balance, if they are few, and what lies around them; else none.
+std::vector<int> Equilibrium::places(const Trial& now, const Goal& goal) const {
+  std::vector<int> left;
+  for (int i = 0; i < now.force.cols(); ++i)
+    if (now.force.col(i).norm() > goal.residual) left.push_back(i);
+  const auto all = static_cast<double>(now.force.cols());
+  if (static_cast<double>(left.size()) > few_places * all) return {};
+  return surroundings(now.state.q, left, around_places * thickness_);
+}
+
+/// Where few places are out of balance, they and what lies around them are moved while all else stays, for a part of
+/// what an iteration of all costs; then what that pushes at their edges as well. Friction keeps that near: without it
+/// yarn slides on through all of the fabric. Answers whether there was anything of that.
+bool Equilibrium::balance_places(Trial& now, const Goal& goal, Effort& effort) {
+  if (is_of_places_ || !increment_.dissipates() || increment_.has_inertia() || world_.fabric().cell ||
+      !world_.constraints().empty())
+    return false;
+  std::vector<int> moved;
+  for (int round = 0; round < most_rounds && !world_.interrupted(); ++round) {
+    const std::vector<int> next = places(now, goal), before = std::move(moved);
+    moved.clear();
+    std::set_union(before.begin(), before.end(), next.begin(), next.end(), std::back_inserter(moved));
+    if (next.empty() || static_cast<double>(moved.size()) > most_moved * static_cast<double>(now.force.cols()))
+      return round > 0;
+    increment_.attend(moved);
+    Equilibrium of_places(increment_);
+    of_places.is_of_places_ = true;
+    of_places.relax(now.state, goal, most_of_places, effort);
+    increment_.attend({});
+    now.energy = evaluate(now.state, &now.force, effort);
+  }
+  return true;
+}
+
 /// Trusts the model as far as a step gained what it had promised; whether that changes the model. A contact that comes
 /// to stick or begins to slip gains less, however small the trust region is elsewhere: there secants promise less.
 bool Equilibrium::adapt(const Step& step, double gain) {
@@ -251,13 +292,19 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
   now.energy = evaluate(state, &now.force, effort);
   reach_ = 1;
   secant_ = 0;
-  bool factored = false;
+  bool factored = false, try_places = true;
   for (int i = 0; i < iterations; ++i) {
     worst_point_ = worst_column(now.force);
     residual_ = now.force.col(worst_point_).norm();
     if (!std::isfinite(now.energy) || !now.force.allFinite()) return Answer::gave_up;
     if (is_met(goal, now)) return Answer::found;
     if (world_.interrupted()) return Answer::gave_up;
+    if (try_places && balance_places(now, goal, effort)) {
+      state = now.state;
+      factored = false;
+      try_places = false;
+      continue;
+    }
     if (!factored) {
       look_around(now.state);
       if (!factor(now, goal, effort)) return Answer::gave_up;
@@ -280,6 +327,7 @@ Equilibrium::Answer Equilibrium::relax(State& state, const Goal& goal, int itera
       now = std::move(trial);
       state = now.state;
       world_.show(state.q);
+      try_places = true;
     } else {
       increment_.prepare(now.state);
     }

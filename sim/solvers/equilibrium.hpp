@@ -60,6 +60,8 @@ class Equilibrium {
   void correct(Trial& trial, double tolerance, Effort& effort);
   bool factor(const Trial& now, const Goal& goal, Effort& effort);
   Eigen::VectorXd shifts(const Points& force, const Goal& goal) const;
+  std::vector<int> places(const Trial& now, const Goal& goal) const;
+  bool balance_places(Trial& now, const Goal& goal, Effort& effort);
   Step downhill(const Points& force);
   double evaluate(const State& at, Points* force, Effort& effort);
   double clearance_at(const State& state) const;
@@ -82,7 +84,8 @@ class Equilibrium {
   double clearance_ = 0;  // over the diameter, where the iteration stands
   double residual_ = 0;
   int worst_point_ = 0;
-  int inner_ = 0;  // steps of conjugate gradients with the factor at hand
+  bool is_of_places_ = false;  // of some control points, while the others stay
+  int inner_ = 0;              // steps of conjugate gradients with the factor at hand
 };
 
 }  // namespace wale

@@ -48,6 +48,26 @@ State Increment::moving(const State& at) const {
   return state;
 }
 
+void Increment::attend(std::vector<int> points) {
+  attended_ = std::move(points);
+  std::vector<std::uint8_t> held;
+  if (!attended_.empty()) {
+    held.assign(static_cast<std::size_t>(world_.ties().columns()), 1);
+    for (const int point : attended_) held[static_cast<std::size_t>(point)] = 0;
+  }
+  world_.hold(held);
+  exact_ = Stiffness(world_.ties().columns());
+  convex_ = exact_;
+  if (dissipates_) world_.prepare(lagged_, Acting::dissipative);
+}
+
+Points Increment::spread(const Points& move) const {
+  if (attended_.empty()) return world_.ties().spread(move);
+  Points all = Points::Zero(3, world_.ties().columns());
+  all(Eigen::all, attended_) = move;
+  return all;
+}
+
 Points Increment::push(const State& at) {
   prepare(at);
   Points force;
@@ -79,12 +99,13 @@ double Increment::value(const State& at, Points* force) {
     energy -= (at.q - coasting_).rightCols<2>().cwiseProduct(inertia_.carried()).sum();
     if (force) force->rightCols<2>() += inertia_.carried();
   }
-  if (force && !world_.ties().empty()) *force = gather(*force);
+  if (force && moves_in_part()) *force = gather(*force);
   return energy;
 }
 
 /// What of a force on all columns acts on what may move.
 Points Increment::gather(const Points& force) const {
+  if (!attended_.empty()) return force(Eigen::all, attended_);
   Points free = world_.ties().gather(force);
   if (!world_.ties().empty()) free.rightCols<2>().array() *= world_.guide().mobility().array();
   return free;
@@ -92,9 +113,9 @@ Points Increment::gather(const Points& force) const {
 
 void Increment::second(const State& at, const Leeway& leeway, const Caution& caution, Stiffness& exact,
                        Stiffness* convex) {
-  const bool periodic = !world_.ties().empty();
-  Stiffness& all_exact = periodic ? exact_ : exact;
-  Stiffness* const all_convex = periodic && convex ? &convex_ : convex;
+  const bool in_part = moves_in_part();
+  Stiffness& all_exact = in_part ? exact_ : exact;
+  Stiffness* const all_convex = in_part && convex ? &convex_ : convex;
   all_exact.clear();
   if (dissipates_) {
     Load loss{.damping = &all_exact, .secant = caution.secant};
@@ -112,7 +133,7 @@ void Increment::second(const State& at, const Leeway& leeway, const Caution& cau
     if (caution.shift.size() > 0) leeway.add_to(*matrix, caution.shift);
   }
   damping_.fit();
-  if (!periodic) return;
+  if (!in_part) return;
   gather(exact_, exact);
   add_turning(at, exact);
   if (convex) gather(convex_, *convex);
@@ -141,7 +162,12 @@ void Increment::add_turning(const State& at, Stiffness& exact) {
 }
 
 /// By what may move; a period that may not is left with a stiffness of its own.
-void Increment::gather(Stiffness& by_all, Stiffness& by_free) const {
+void Increment::gather(const Stiffness& by_all, Stiffness& by_free) const {
+  if (!attended_.empty()) {
+    by_free.clear();
+    by_free.add_part(by_all, attended_);
+    return;
+  }
   world_.ties().gather(by_all, by_free);
   hold_periods(by_free);
 }

@@ -1,6 +1,8 @@
 /// What one step of a quasi-static or an implicit solver makes least.
 #pragma once
 
+#include <vector>
+
 #include "sim/solvers/flowing_inertia.hpp"
 #include "sim/solvers/leeway.hpp"
 #include "sim/world.hpp"
@@ -49,31 +51,36 @@ class Increment {
   /// Jacobian of the motion and (a, b) are positions and velocities of all columns; on what may move.
   Points impulse(const Points& a, const Points& b) const;
 
+  /// From now on these control points alone may move, ascending, and nothing is asked for but what acts on them: see
+  /// World::hold(). Empty: all may. Not for a motion, nor for a fabric that is periodic or under constraints.
+  void attend(std::vector<int> points);
   /// Columns of what may move: the control points, or those of a periodic fabric that do not follow others, and its
   /// periods.
-  int points() const { return world_.ties().free_columns(); }
+  int points() const { return attended_.empty() ? world_.ties().free_columns() : static_cast<int>(attended_.size()); }
   /// The motion of all control points that goes with one of what may move.
-  Points spread(const Points& move) const { return world_.ties().spread(move); }
+  Points spread(const Points& move) const;
   World& world() { return world_; }
 
  private:
   bool flows() const { return has_inertia() && inertia_.flows(); }
+  bool moves_in_part() const { return !attended_.empty() || !world_.ties().empty(); }
   void expect(const State& from, const Points& gaining);
   State moving(const State& at) const;
   Points gather(const Points& force) const;
-  void gather(Stiffness& by_all, Stiffness& by_free) const;
+  void gather(const Stiffness& by_all, Stiffness& by_free) const;
   void add_turning(const State& at, Stiffness& exact);
   void hold_periods(Stiffness& by_free) const;
 
   World& world_;
   bool dissipates_;
-  State lagged_;            // qD
-  Points from_, coasting_;  // q0, q1; the latter empty without inertia
-  double time_ = 1;         // θ, s
+  std::vector<int> attended_;  // control points that alone may move; empty: all
+  State lagged_;               // qD
+  Points from_, coasting_;     // q0, q1; the latter empty without inertia
+  double time_ = 1;            // θ, s
   FlowingInertia inertia_;
   Stiffness mass_;            // kg; empty without inertia
   Stiffness damping_;         // second derivative of D by velocity, of a motion
-  Stiffness exact_, convex_;  // by all columns, of a periodic fabric
+  Stiffness exact_, convex_;  // by all columns, where not all of them may move by themselves
 };
 
 }  // namespace wale
