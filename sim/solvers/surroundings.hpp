@@ -7,7 +7,8 @@
 
 namespace wale {
 
-/// The columns of `q` within `reach` of some of them, m, ascending, and some that lie up to twice as far.
+/// The columns of `q` within `reach` of some of them, m, ascending, and others no further than twice that along each
+/// axis.
 std::vector<int> surroundings(const Points& q, const std::vector<int>& of, double reach);
 
 }  // namespace wale
