@@ -44,7 +44,7 @@ double Balance::residual(const ConstVector& f) {
 void Balance::assemble(const ConstVector& x) {
   const State state = at(x);
   increment_.prepare(state);
-  increment_.second(state, leeway_, 0, exact_, &convex_);
+  increment_.second(state, leeway_, {}, exact_, &convex_);
 }
 
 bool Balance::factor(double shift) {
