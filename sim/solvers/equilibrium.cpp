@@ -21,7 +21,6 @@ constexpr double never_through = 0.5;  // of the diameter: beads so far apart le
 // shift.
 constexpr double reach_when_free = 1.5;
 constexpr Eigen::Index points_around = 8;  // control points along a yarn
-constexpr double most_idle = 1.2;          // blocks, over those when they were listed anew
 constexpr int most_inner = 60;             // conjugate-gradient steps
 // Of the control points: of which so few may be out of balance, and so many be moved for them, on their own.
 constexpr double few_places = 0.01, most_moved = 0.3;
@@ -145,21 +144,11 @@ Eigen::VectorXd Equilibrium::shifts(const Points& force, const Goal& goal) const
   return shift;
 }
 
-/// Matrices keep the blocks of all pairs that ever came near.
-void Equilibrium::forget_blocks() {
-  exact_ = Stiffness(increment_.points());
-  convex_ = exact_;
-  blocks_ = 0;
-  cholesky_.forget();
-}
-
 /// An old factor serves until conjugate gradients have cost as much with it as a new one does. A motion needs that of
 /// its own matrix: see precondition().
 bool Equilibrium::factor(const Trial& now, const Goal& goal, Effort& effort) {
   const bool serves = !increment_.has_inertia() && inner_ <= cholesky_.solves_a_factor();
-  if (!serves && static_cast<double>(exact_.slots()) > most_idle * static_cast<double>(blocks_)) forget_blocks();
   increment_.second(now.state, leeway_, {shifts(now.force, goal), secant_}, exact_, serves ? nullptr : &convex_);
-  if (blocks_ == 0) blocks_ = exact_.slots();
   if (serves) return true;
   inner_ = 0;
   ++effort.factorizations;

@@ -37,7 +37,7 @@ class Equilibrium {
   void precondition(Eigen::VectorXd& x) const;
   /// Lets the next relax() depend on nothing that came before, so that a state taken up again leads to the same bits.
   void forget() {
-    forget_blocks();
+    cholesky_.forget();
     world_.forget();
   }
   /// The largest residual force after relax(), N.
@@ -58,7 +58,6 @@ class Equilibrium {
   };
   Trial attempt(const State& from, const Eigen::VectorXd& move, Effort& effort);
   void correct(Trial& trial, double tolerance, Effort& effort);
-  void forget_blocks();
   bool factor(const Trial& now, const Goal& goal, Effort& effort);
   Eigen::VectorXd shifts(const Points& force, const Goal& goal) const;
   std::vector<int> places(const Trial& now, const Goal& goal) const;
@@ -77,7 +76,6 @@ class Equilibrium {
   Increment& increment_;
   World& world_;
   Stiffness exact_, convex_;
-  std::size_t blocks_ = 0;  // of theirs, when they were first filled
   Cholesky cholesky_;
   Leeway leeway_;
   double thickness_ = 0;  // of the thinnest yarn, m
