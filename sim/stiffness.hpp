@@ -21,8 +21,6 @@ class Stiffness {
 
   /// Sets every value to zero and keeps the pattern.
   void clear();
-  /// Gives back the memory of the values until the next clear() or assignment, and keeps the pattern.
-  void release() { LargeArray<Mat3>().swap(values_); }
   /// Gives a value, zero, to slots that a copy has made.
   void fit();
   /// Adds to block (i, j), i <= j; block (j, i) follows by symmetry. A diagonal block must be symmetric.

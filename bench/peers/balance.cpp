@@ -44,7 +44,8 @@ double Balance::residual(const ConstVector& f) {
 void Balance::assemble(const ConstVector& x) {
   const State state = at(x);
   increment_.prepare(state);
-  increment_.second(state, leeway_, {}, exact_, &convex_);
+  increment_.second(state, leeway_, {}, Increment::Model::exact, exact_);
+  increment_.second(state, leeway_, {}, Increment::Model::convex, convex_);
 }
 
 bool Balance::factor(double shift) {

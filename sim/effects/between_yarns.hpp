@@ -63,42 +63,17 @@ class BetweenYarns final : public Effect {
   }
 
   void add(const State& at, Load& out) const override {
-    const std::array<Stiffness*, 2> second{L::elastic ? out.stiffness : out.damping, L::elastic ? out.convex : nullptr};
-    std::array<const std::vector<int>*, 2> places{};
-    for (std::size_t m = 0; m < 2; ++m)
-      if (second[m]) places[m] = &places_in(*second[m]);
-    const bool blocks_wanted = second[0] || second[1];
+    Stiffness* const second = L::elastic ? out.stiffness : out.damping;
     if constexpr (L::by_kernels) {
       if (out.energy || out.force) add_pushes(*beads_, at.q, spacing_, inverse_square_, out);
-      if (!blocks_wanted) return;
+      if (!second && !out.convex) return;
     }
     std::vector<Contact> contacts;
     list(spacings(parts_.rest(at.t)), contacts);
-    const std::size_t batch = blocks_wanted ? std::min(contacts.size(), most_blocks) : contacts.size();
-    std::vector<Slopes> slopes(batch);
-    std::vector<Blocks> blocks(blocks_wanted ? batch : 0);
-    for (std::size_t first = 0; first < contacts.size(); first += batch) {
-      const std::span<const Contact> some(contacts.data() + first, std::min(batch, contacts.size() - first));
-#pragma omp parallel if (some.size() > few)
-      {
-        std::vector<Twin> on_b;
-#pragma omp for schedule(dynamic, 16)
-        for (std::size_t c = 0; c < some.size(); ++c) {
-          slopes[c] = {};
-          push_all(at, some[c], out.secant, slopes[c], blocks.empty() ? nullptr : &blocks[c], on_b);
-        }
-      }
-      if constexpr (!L::by_kernels) gather(some, slopes, at.q, out);
-      if (blocks.empty()) continue;
-      gather(some, blocks, places, second);
-      for (std::size_t m = 0; m < 2; ++m)
-        if (second[m] && beads_->images().size() > 1) {
-          if (beads_->turned(1))
-            gather_turned(some, blocks, slopes, at.q, m, *second[m]);
-          else
-            gather_periods(some, blocks, m, *second[m]);
-        }
-    }
+    if (!L::by_kernels || second) add(at, contacts, &Push::stiffness, second, out);
+    if (!L::elastic || !out.convex) return;
+    Load no_slopes{.secant = out.secant};
+    add(at, contacts, &Push::convex, out.convex, no_slopes);
   }
 
  private:
@@ -107,10 +82,10 @@ class BetweenYarns final : public Effect {
   static constexpr std::size_t few = 64;                            // pairs for which threads cost more than they save
   static constexpr std::size_t most_blocks = 512;                   // pairs whose blocks fit a core's cache
   using Quad = Eigen::Matrix<double, 3, 4>;
-  /// Two symmetric 3 x 3 matrices by their upper triangles, row by row: the exact and the convex second slope.
-  using Twin = Eigen::Array<double, 12, 1>;
+  /// A symmetric 3 x 3 matrix by its upper triangle, row by row.
+  using Triangle = Eigen::Array<double, 6, 1>;
   /// Blocks (j, k), j <= k, of the eight control points of a pair, row by row.
-  using Blocks = std::array<Twin, 36>;
+  using Blocks = std::array<Triangle, 36>;
   /// Two segments that touch.
   struct Contact {
     std::size_t pair = 0;  // of Beads::pairs()
@@ -121,6 +96,35 @@ class BetweenYarns final : public Effect {
     double energy = 0, dissipation = 0;
     Quad on_a = Quad::Zero(), on_b = Quad::Zero();
   };
+
+  /// Adds the slopes that `out` wants, unless kernels know them, and to `matrix`, if there is one, the second slope.
+  void add(const State& at, const std::vector<Contact>& contacts, Mat3 Push::*second, Stiffness* matrix,
+           Load& out) const {
+    const std::vector<int>* const places = matrix ? &places_in(*matrix) : nullptr;
+    const std::size_t batch = matrix ? std::min(contacts.size(), most_blocks) : contacts.size();
+    std::vector<Slopes> slopes(batch);
+    std::vector<Blocks> blocks(matrix ? batch : 0);
+    for (std::size_t first = 0; first < contacts.size(); first += batch) {
+      const std::span<const Contact> some(contacts.data() + first, std::min(batch, contacts.size() - first));
+#pragma omp parallel if (some.size() > few)
+      {
+        std::vector<Triangle> on_b;
+#pragma omp for schedule(dynamic, 16)
+        for (std::size_t c = 0; c < some.size(); ++c) {
+          slopes[c] = {};
+          push_all(at, some[c], out.secant, second, slopes[c], matrix ? &blocks[c] : nullptr, on_b);
+        }
+      }
+      if constexpr (!L::by_kernels) gather(some, slopes, at.q, out);
+      if (!matrix) continue;
+      gather(some, blocks, *places, *matrix);
+      if (beads_->images().size() == 1) continue;
+      if (beads_->turned(1))
+        gather_turned(some, blocks, slopes, at.q, second == &Push::stiffness, *matrix);
+      else
+        gather_periods(some, blocks, *matrix);
+    }
+  }
 
   const SegmentPair& pair_of(const Contact& contact) const { return beads_->pairs()[contact.pair]; }
 
@@ -182,8 +186,8 @@ class BetweenYarns final : public Effect {
   }
 
   /// `on_b` is working space.
-  void push_all(const State& at, const Contact& contact, double secant, Slopes& slopes, Blocks* blocks,
-                std::vector<Twin>& on_b) const {
+  void push_all(const State& at, const Contact& contact, double secant, Mat3 Push::*second, Slopes& slopes,
+                Blocks* blocks, std::vector<Triangle>& on_b) const {
     const auto [a, b, image] = pair_of(contact);
     const Vec3 displacement = beads_->displacement(pair_of(contact));
     const int first_a = parts_.fabric.first_point(a), first_b = parts_.fabric.first_point(b);
@@ -198,13 +202,13 @@ class BetweenYarns final : public Effect {
                 .secant = secant,
                 .a = &parts_.fabric.material_of(a),
                 .b = &parts_.fabric.material_of(b)};
-    if (blocks) blocks->fill(Twin::Zero());
-    on_b.assign(static_cast<std::size_t>(beads_->count(b)), Twin::Zero());
+    if (blocks) blocks->fill(Triangle::Zero());
+    on_b.assign(static_cast<std::size_t>(beads_->count(b)), Triangle::Zero());
     for (int i = 0; i < beads_->count(a); ++i) {
       const Basis& ba = beads_->basis_of(a, i);
-      Twin on_a = Twin::Zero();
-      std::array<Twin, 4> mixed;
-      mixed.fill(Twin::Zero());
+      Triangle on_a = Triangle::Zero();
+      std::array<Triangle, 4> mixed;
+      mixed.fill(Triangle::Zero());
       bool touched = false;
       for (int j = 0; j < beads_->count(b); ++j) {
         touch.apart = beads_->position(a, i) - beads_->position_of_image(pair_of(contact), j) - displacement;
@@ -217,21 +221,20 @@ class BetweenYarns final : public Effect {
         add_slopes(push, ba, bb, slopes);
         if (!blocks) continue;
         touched = true;
-        const Twin second = twin(push);
-        on_a += second;
-        on_b[static_cast<std::size_t>(j)] += second;
-        for (std::size_t k = 0; k < 4; ++k) mixed[k] -= bb.value[k] * second;
+        const Triangle slope = triangle(push.*second);
+        on_a += slope;
+        on_b[static_cast<std::size_t>(j)] += slope;
+        for (std::size_t k = 0; k < 4; ++k) mixed[k] -= bb.value[k] * slope;
       }
       if (touched) add_rows_of_a(ba, on_a, mixed, *blocks);
     }
     if (blocks) add_rows_of_b(b, on_b, *blocks);
   }
 
-  static Twin twin(const Push& push) {
-    const Mat3 &s = push.stiffness, &c = push.convex;
-    Twin both;
-    both << s(0, 0), s(0, 1), s(0, 2), s(1, 1), s(1, 2), s(2, 2), c(0, 0), c(0, 1), c(0, 2), c(1, 1), c(1, 2), c(2, 2);
-    return both;
+  static Triangle triangle(const Mat3& of) {
+    Triangle upper;
+    upper << of(0, 0), of(0, 1), of(0, 2), of(1, 1), of(1, 2), of(2, 2);
+    return upper;
   }
 
   static void add_slopes(const Push& push, const Basis& ba, const Basis& bb, Slopes& slopes) {
@@ -244,7 +247,8 @@ class BetweenYarns final : public Effect {
   }
 
   /// What bead i of a and all that it touches add to the blocks of a's control points.
-  static void add_rows_of_a(const Basis& ba, const Twin& on_a, const std::array<Twin, 4>& mixed, Blocks& blocks) {
+  static void add_rows_of_a(const Basis& ba, const Triangle& on_a, const std::array<Triangle, 4>& mixed,
+                            Blocks& blocks) {
     std::size_t block = 0;
     for (std::size_t j = 0; j < 4; ++j) {
       for (std::size_t k = j; k < 4; ++k, ++block) blocks[block] += ba.value[j] * ba.value[k] * on_a;
@@ -252,7 +256,7 @@ class BetweenYarns final : public Effect {
     }
   }
 
-  void add_rows_of_b(int b, const std::vector<Twin>& on_b, Blocks& blocks) const {
+  void add_rows_of_b(int b, const std::vector<Triangle>& on_b, Blocks& blocks) const {
     for (std::size_t i = 0; i < on_b.size(); ++i) {
       const Basis& bb = beads_->basis_of(b, static_cast<int>(i));
       std::size_t block = 26;  // after those of a
@@ -281,9 +285,9 @@ class BetweenYarns final : public Effect {
     }
   }
 
-  void gather(std::span<const Contact> contacts, const std::vector<Blocks>& blocks,
-              const std::array<const std::vector<int>*, 2>& places, const std::array<Stiffness*, 2>& out) const {
-    share_points(out[0] ? out[0]->points() : out[1]->points(), contacts.size() < few, [&](int first, int last) {
+  void gather(std::span<const Contact> contacts, const std::vector<Blocks>& blocks, const std::vector<int>& places,
+              Stiffness& out) const {
+    share_points(out.points(), contacts.size() < few, [&](int first, int last) {
       for (std::size_t c = 0; c < contacts.size(); ++c) {
         const SegmentPair& pair = pair_of(contacts[c]);
         if (beads_->turned(pair)) continue;
@@ -295,8 +299,7 @@ class BetweenYarns final : public Effect {
             if (row < first || row >= last) continue;
             // The two segments may share a control point.
             const double times = p == q && j != k ? 2 : 1;
-            for (std::size_t m = 0; m < 2; ++m)
-              if (out[m]) out[m]->add_at((*places[m])[place], times * one_of(blocks[c][block], m));
+            out.add_at(places[place], times * whole(blocks[c][block]));
           }
       }
     });
@@ -304,22 +307,21 @@ class BetweenYarns final : public Effect {
 
   /// What images add to the blocks of the two periods: where an image is displaced by a period, that moves as the four
   /// control points of b do together.
-  void gather_periods(std::span<const Contact> contacts, const std::vector<Blocks>& blocks, std::size_t which,
-                      Stiffness& out) const {
+  void gather_periods(std::span<const Contact> contacts, const std::vector<Blocks>& blocks, Stiffness& out) const {
     const std::vector<int>& places = period_places_in(out);
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       if (pair_of(contacts[c]).image == 0) continue;
       const Eigen::Vector2d image = image_of(contacts[c]);
       auto place =
           places.begin() + static_cast<std::ptrdiff_t>((contacts[c].pair - beads_->plain_pairs()) * period_blocks);
-      Twin both = Twin::Zero();
+      Triangle both = Triangle::Zero();
       for (std::size_t j = 0; j < 8; ++j) {
-        Twin by_b = Twin::Zero();
+        Triangle by_b = Triangle::Zero();
         for (std::size_t k = 4; k < 8; ++k) by_b += blocks[c][block_at(std::min(j, k), std::max(j, k))];
         if (j >= 4) both += by_b;
-        for (int period = 0; period < 2; ++period) out.add_at(*place++, image[period] * one_of(by_b, which));
+        for (int period = 0; period < 2; ++period) out.add_at(*place++, image[period] * whole(by_b));
       }
-      const Mat3 by_periods = one_of(both, which);
+      const Mat3 by_periods = whole(both);
       out.add_at(*place++, image[0] * image[0] * by_periods);
       out.add_at(*place++, image[0] * image[1] * by_periods);
       out.add_at(*place++, image[1] * image[1] * by_periods);
@@ -329,7 +331,7 @@ class BetweenYarns final : public Effect {
   /// The same of images that turn, and of their control points as well. What moves them are four control points and the
   /// periods; and as they turn as these move, forces on them change direction.
   void gather_turned(std::span<const Contact> contacts, const std::vector<Blocks>& blocks,
-                     const std::vector<Slopes>& slopes, const Points& q, std::size_t which, Stiffness& out) const {
+                     const std::vector<Slopes>& slopes, const Points& q, bool is_exact, Stiffness& out) const {
     const std::vector<int>* places = nullptr;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const SegmentPair& pair = pair_of(contacts[c]);
@@ -338,8 +340,8 @@ class BetweenYarns final : public Effect {
       if (!places) places = &turned_places_in(out);
       const Quad points = q.middleCols<4>(parts_.fabric.first_point(pair.b));
       const MovedBy moved = moved_by(*image, points);
-      ByMovers by_movers = moved.transpose() * whole(blocks[c], which) * moved;
-      if (L::elastic && which == 0) subtract_turning(*image, points, slopes[c].on_b, by_movers);
+      ByMovers by_movers = moved.transpose() * whole(blocks[c]) * moved;
+      if (L::elastic && is_exact) subtract_turning(*image, points, slopes[c].on_b, by_movers);
       add_by_movers(pair, by_movers, places->begin() + place_of_turned(contacts[c].pair), out);
     }
   }
@@ -354,12 +356,12 @@ class BetweenYarns final : public Effect {
     return static_cast<std::ptrdiff_t>(pair - beads_->plain_pairs()) * turned_blocks;
   }
 
-  static ByEight whole(const Blocks& blocks, std::size_t which) {
+  static ByEight whole(const Blocks& blocks) {
     ByEight all;
     for (std::size_t j = 0; j < 8; ++j)
       for (std::size_t k = 0; k < 8; ++k)
         all.block<3, 3>(static_cast<int>(3 * j), static_cast<int>(3 * k)) =
-            one_of(blocks[block_at(std::min(j, k), std::max(j, k))], which);
+            whole(blocks[block_at(std::min(j, k), std::max(j, k))]);
     return all;
   }
 
@@ -407,11 +409,10 @@ class BetweenYarns final : public Effect {
   /// Where block (j, k), j <= k, of the eight control points of a pair is.
   static constexpr std::size_t block_at(std::size_t j, std::size_t k) { return j * 8 - j * (j + 1) / 2 + k; }
 
-  static Mat3 one_of(const Twin& twin, std::size_t which) {
-    const double* s = twin.data() + 6 * which;
-    Mat3 whole;
-    whole << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
-    return whole;
+  static Mat3 whole(const Triangle& s) {
+    Mat3 all;
+    all << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+    return all;
   }
 
   Eigen::Vector2d image_of(const Contact& contact) const {

@@ -12,7 +12,7 @@ namespace {
 
 // A product takes so much longer in a solve, which waits for memory, than in a factor; measured.
 constexpr double waiting_for_memory = 12;
-constexpr double much_fuller = 1.1;  // than the factor for which the order was made
+constexpr double much_fuller = 1.05;  // than the factor for which the order was made
 
 /// Calls act(p) for every part, each on a thread of its own if there are as many. False if any is. Throws
 /// std::bad_alloc.

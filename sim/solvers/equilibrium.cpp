@@ -41,8 +41,7 @@ double furthest(const Eigen::VectorXd& x) {
 Equilibrium::Equilibrium(Increment& increment)
     : increment_(increment),
       world_(increment.world()),
-      exact_(increment.points()),
-      convex_(exact_),
+      second_(increment.points()),
       leeway_(world_.fabric()),
       thickness_(thinnest_diameter(world_.fabric())) {}
 
@@ -148,13 +147,16 @@ Eigen::VectorXd Equilibrium::shifts(const Points& force, const Goal& goal) const
 /// its own matrix: see precondition().
 bool Equilibrium::factor(const Trial& now, const Goal& goal, Effort& effort) {
   const bool serves = !increment_.has_inertia() && inner_ <= cholesky_.solves_a_factor();
-  increment_.second(now.state, leeway_, {shifts(now.force, goal), secant_}, exact_, serves ? nullptr : &convex_);
-  if (serves) return true;
-  inner_ = 0;
-  ++effort.factorizations;
-  const bool factored = cholesky_.factor(convex_, 0);
-  convex_.release();
-  return factored;
+  const Increment::Caution caution{shifts(now.force, goal), secant_};
+  if (!serves) {
+    inner_ = 0;
+    ++effort.factorizations;
+    increment_.second(now.state, leeway_, caution, Increment::Model::convex, second_);
+    if (!cholesky_.factor(second_, 0)) return false;
+  }
+  // After the other, in its place: the memory of a large matrix is worth more than the time to sum up both at once.
+  increment_.second(now.state, leeway_, caution, Increment::Model::exact, second_);
+  return true;
 }
 
 void Equilibrium::precondition(Eigen::VectorXd& x) const {
@@ -173,7 +175,7 @@ Equilibrium::Step Equilibrium::downhill(const Points& force) {
   const double goal = 1e-3 * rz;
   Step step;
   for (int i = 0; i < most_inner && rz > goal && rz > 0; ++i, ++inner_) {
-    exact_.multiply(along, stiff);
+    second_.multiply(along, stiff);
     const double curvature = along.dot(stiff);
     double alpha = curvature > 0 ? rz / curvature : std::numeric_limits<double>::infinity();
     if (curvature <= 0 || share(move + alpha * along) > reach_) {

@@ -75,7 +75,7 @@ class Equilibrium {
 
   Increment& increment_;
   World& world_;
-  Stiffness exact_, convex_;
+  Stiffness second_;  // the exact one, but while it is factored
   Cholesky cholesky_;
   Leeway leeway_;
   double thickness_ = 0;  // of the thinnest yarn, m

@@ -42,29 +42,27 @@ class Fronts {
   Eigen::Index left_by(int s) const { return Eigen::Index{3} * (supernodes_.height(s) - supernodes_.width(s)); }
   static Eigen::Index packed(Eigen::Index size) { return size * (size + 1) / 2; }
 
-  /// What waits is a stack, since supernodes come branch by branch. What a front leaves is made on top of what its
-  /// children left.
+  /// What waits is a stack, since supernodes come branch by branch. On top of what its children left lie the columns of
+  /// the front at hand, and on top of these is made what it leaves itself.
   void make_room() {
-    Eigen::Index columns = 0, rest = 0, waiting = 0, most_waiting = 0;
+    Eigen::Index rest = 0, waiting = 0, most = 0;
     std::vector<int> stack;
     for (int s = 0; s < supernodes_.count(); ++s) {
       const Eigen::Index own = supernodes_.parent(s) < 0 ? 0 : packed(left_by(s));
-      columns = std::max(columns, Eigen::Index{9} * supernodes_.width(s) * supernodes_.height(s));
       rest = std::max(rest, left_by(s) * std::min(left_by(s), wide));
+      most = std::max(most, waiting + Eigen::Index{9} * supernodes_.width(s) * supernodes_.height(s) + own);
       waiting += own;
-      most_waiting = std::max(most_waiting, waiting);
       for (int child = 0; child < children_[index(s)]; ++child, stack.pop_back())
         waiting -= packed(left_by(stack.back()));
       if (supernodes_.parent(s) >= 0) stack.push_back(s);
     }
-    columns_.resize(static_cast<std::size_t>(columns));
     rest_.resize(static_cast<std::size_t>(rest));
-    values_.resize(static_cast<std::size_t>(most_waiting));
+    values_.resize(static_cast<std::size_t>(most));
   }
 
   bool eliminate(int s, Panels& out, Eigen::MatrixXd& border) {
     const Eigen::Index width = 3 * supernodes_.width(s);
-    Matrix columns(columns_.data(), width + left_by(s), width);
+    Matrix columns(values_.data() + filled_, width + left_by(s), width);
     columns.setZero();
     for (int r = 0; r < supernodes_.height(s); ++r) row_[index(supernodes_.rows(s)[r])] = r;
     for (int c = 0; c < supernodes_.width(s); ++c) add_own(supernodes_.first(s) + c, c, columns);
@@ -82,7 +80,7 @@ class Fronts {
   /// What is left of the rows below `columns`.
   void leave(int s, const Matrix& columns, Eigen::MatrixXd& border) {
     const Eigen::Index width = columns.cols(), left = left_by(s);
-    double* end = values_.data() + filled_;
+    double *const begin = values_.data() + filled_ + columns.size(), *end = begin;
     for (Eigen::Index first = 0; first < left; first += wide) {
       const Eigen::Index size = std::min(wide, left - first), below = left - first - size;
       Matrix rest(rest_.data(), left - first, size);
@@ -97,7 +95,7 @@ class Fronts {
         for (Eigen::Index j = 0; j < size; ++j)
           end = std::copy(rest.col(j).data() + j, rest.col(j).data() + rest.rows(), end);
     }
-    dismiss_children(end);
+    dismiss_children(begin, end);
     if (supernodes_.parent(s) >= 0) waiting_.push_back(s);
   }
 
@@ -118,12 +116,11 @@ class Fronts {
     }
   }
 
-  /// What was made above them, up to `end`, takes their room.
-  void dismiss_children(const double* end) {
-    const double* made = values_.data() + filled_;
+  /// What was made above them takes their room.
+  void dismiss_children(const double* begin, const double* end) {
     for (const Child& child : arriving_) filled_ -= packed(left_by(child.supernode));
     waiting_.resize(waiting_.size() - arriving_.size());
-    filled_ = std::copy(made, end, values_.data() + filled_) - values_.data();
+    filled_ = std::copy(begin, end, values_.data() + filled_) - values_.data();
   }
 
   /// Column c of a front, of the point at a place: the blocks of K.
@@ -168,14 +165,14 @@ class Fronts {
   double shift_;
   const UsedBlocks& used_;
   const Supernodes& supernodes_;
-  std::vector<int> place_;             // by point; -1: of another part
-  std::vector<int> row_;               // by place: which row it is of the front at hand, in points
-  std::vector<int> children_;          // how many, by supernode
-  std::vector<int> waiting_;           // supernodes whose parents are still to come
-  std::vector<Child> arriving_;        // of the front at hand, last eliminated first
-  LargeArray<double> columns_, rest_;  // of the front at hand
-  LargeArray<double> values_;          // the lower triangles of what waits
-  Eigen::Index filled_ = 0;            // of values_
+  std::vector<int> place_;       // by point; -1: of another part
+  std::vector<int> row_;         // by place: which row it is of the front at hand, in points
+  std::vector<int> children_;    // how many, by supernode
+  std::vector<int> waiting_;     // supernodes whose parents are still to come
+  std::vector<Child> arriving_;  // of the front at hand, last eliminated first
+  LargeArray<double> values_;    // the lower triangles of what waits, and the columns of the front at hand
+  LargeArray<double> rest_;      // of what it leaves
+  Eigen::Index filled_ = 0;      // of values_
 };
 
 }  // namespace

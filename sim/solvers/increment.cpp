@@ -13,8 +13,7 @@ Increment::Increment(World& world)
       inertia_(world),
       mass_(world.ties().columns()),
       damping_(world.ties().columns()),
-      exact_(world.ties().columns()),
-      convex_(exact_) {}
+      by_all_(world.ties().columns()) {}
 
 void Increment::begin(const State& lagged, double time, Points from) { begin(lagged, time, std::move(from), {}); }
 
@@ -56,8 +55,7 @@ void Increment::attend(std::vector<int> points) {
     for (const int point : attended_) held[static_cast<std::size_t>(point)] = 0;
   }
   world_.hold(held);
-  exact_ = Stiffness(world_.ties().columns());
-  convex_ = exact_;
+  by_all_ = Stiffness(world_.ties().columns());
   if (dissipates_) world_.prepare(lagged_, Acting::dissipative);
 }
 
@@ -111,32 +109,25 @@ Points Increment::gather(const Points& force) const {
   return free;
 }
 
-void Increment::second(const State& at, const Leeway& leeway, const Caution& caution, Stiffness& exact,
-                       Stiffness* convex) {
-  const bool in_part = moves_in_part();
-  Stiffness& all_exact = in_part ? exact_ : exact;
-  Stiffness* const all_convex = in_part && convex ? &convex_ : convex;
-  all_exact.clear();
+void Increment::second(const State& at, const Leeway& leeway, const Caution& caution, Model model, Stiffness& out) {
+  const bool in_part = moves_in_part(), is_exact = model == Model::exact;
+  Stiffness& all = in_part ? by_all_ : out;
+  all.clear();
   if (dissipates_) {
-    Load loss{.damping = &all_exact, .secant = caution.secant};
+    Load loss{.damping = &all, .secant = caution.secant};
     world_.add_to(loss, moving(at), Acting::dissipative);
-    if (has_inertia()) damping_ = all_exact;
-    all_exact.scale(1 / time_);
+    if (has_inertia()) damping_ = all;
+    all.scale(1 / time_);
   }
-  if (all_convex) *all_convex = all_exact;
-  Load load{.stiffness = &all_exact, .convex = all_convex};
+  Load load{.stiffness = is_exact ? &all : nullptr, .convex = is_exact ? nullptr : &all};
   world_.add_to(load, at, Acting::elastic);
-  for (Stiffness* matrix : {&all_exact, all_convex}) {
-    if (!matrix) continue;
-    if (has_inertia()) matrix->add(mass_, 1 / (time_ * time_));
-    if (flows()) inertia_.add_to(*matrix, 1 / (time_ * time_));
-    if (caution.shift.size() > 0) leeway.add_to(*matrix, caution.shift);
-  }
+  if (has_inertia()) all.add(mass_, 1 / (time_ * time_));
+  if (flows()) inertia_.add_to(all, 1 / (time_ * time_));
+  if (caution.shift.size() > 0) leeway.add_to(all, caution.shift);
   damping_.fit();
   if (!in_part) return;
-  gather(exact_, exact);
-  add_turning(at, exact);
-  if (convex) gather(convex_, *convex);
+  gather(all, out);
+  if (is_exact) add_turning(at, out);
 }
 
 Points Increment::impulse(const Points& a, const Points& b) const {

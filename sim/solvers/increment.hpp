@@ -1,6 +1,7 @@
 /// What one step of a quasi-static or an implicit solver makes least.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/solvers/flowing_inertia.hpp"
@@ -43,9 +44,12 @@ class Increment {
     Eigen::VectorXd shift;  ///< Levenberg's, against the motion of neighbours, by column of State::q, N/m; empty: none
     double secant = 0;      ///< see Load; that of a motion, which needs its own matrix, is 0
   };
-  /// The second derivative of Φ by what may move, N/m, and, if wanted, its part that is positive semidefinite for sure,
-  /// at the last state prepared.
-  void second(const State& at, const Leeway& leeway, const Caution&, Stiffness& exact, Stiffness* convex);
+  enum class Model : std::uint8_t {
+    exact,  ///< the second derivative of Φ
+    convex  ///< its part that is positive semidefinite for sure
+  };
+  /// By what may move, N/m, at the last state prepared.
+  void second(const State& at, const Leeway& leeway, const Caution&, Model, Stiffness& out);
 
   /// The right side of second() x = impulse(a, b) that has x = (I - θJ)⁻¹ (a, b), its positions, where J is the
   /// Jacobian of the motion and (a, b) are positions and velocities of all columns; on what may move.
@@ -78,9 +82,9 @@ class Increment {
   Points from_, coasting_;     // q0, q1; the latter empty without inertia
   double time_ = 1;            // θ, s
   FlowingInertia inertia_;
-  Stiffness mass_;            // kg; empty without inertia
-  Stiffness damping_;         // second derivative of D by velocity, of a motion
-  Stiffness exact_, convex_;  // by all columns, where not all of them may move by themselves
+  Stiffness mass_;     // kg; empty without inertia
+  Stiffness damping_;  // second derivative of D by velocity, of a motion
+  Stiffness by_all_;   // by all columns, where not all of them may move by themselves
 };
 
 }  // namespace wale

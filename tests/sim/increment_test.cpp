@@ -32,7 +32,7 @@ class Attended : public testing::Test {
     Leeway leeway(fabric_);
     leeway.update(at_.q, increment.world().gaps());
     increment.prepare(at_);
-    increment.second(at_, leeway, {Eigen::VectorXd::Ones(fabric_.points.cols())}, exact, nullptr);
+    increment.second(at_, leeway, {Eigen::VectorXd::Ones(fabric_.points.cols())}, Increment::Model::exact, exact);
     return exact;
   }
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/allocations.hpp"
 #include "tests/support/finite_difference.hpp"
 
 namespace wale {
@@ -106,15 +105,6 @@ TEST(Stiffness, SharesItsPatternWithItsCopiesButNoValue) {
   EXPECT_EQ(one.slots(), other.slots());
   EXPECT_EQ(one.slot(1, 2), other.slot(1, 2));
   EXPECT_EQ(dense(other) - before, dense(other).cwiseProduct((before.array() == 0).cast<double>().matrix()));
-}
-
-TEST(Stiffness, GivesBackTheMemoryOfItsValues) {
-  if (!test::counts_allocations()) GTEST_SKIP() << "the heap cannot be watched";
-  Stiffness stiffness = example();
-  stiffness.clear();
-  EXPECT_EQ(test::allocations_of([&] { stiffness.clear(); }).calls, 0U);
-  stiffness.release();
-  EXPECT_EQ(test::allocations_of([&] { stiffness.clear(); }).calls, 1U);
 }
 
 }  // namespace
