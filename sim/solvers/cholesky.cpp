@@ -38,8 +38,8 @@ struct Cholesky::Work {
   std::optional<Dissection> dissection;
   std::size_t values_then = 0;  // in the factor, when the dissection was made
   std::vector<std::unique_ptr<PartFactor>> parts;
-  std::vector<Eigen::MatrixXd> left;  // what the border loses to each, until they are summed
-  Eigen::MatrixXd border;             // the lower triangle of the factor of what they leave; dense
+  std::vector<LowerTriangle> left;  // what the border loses to each, until they are summed
+  Eigen::MatrixXd border;           // the lower triangle of the factor of what they leave; dense
   bool is_factored = false;
 
   Eigen::Index border_size() const { return 3 * static_cast<Eigen::Index>(dissection->border.size()); }
@@ -82,8 +82,8 @@ bool Cholesky::Work::factor_border(const Stiffness& K, double shift) {
   if (points.empty()) return true;
   std::vector<int> place(static_cast<std::size_t>(K.points()), -1);
   for (std::size_t k = 0; k < points.size(); ++k) place[static_cast<std::size_t>(points[k])] = static_cast<int>(k);
-  border = std::move(left.front());
-  for (std::size_t p = 1; p < left.size(); ++p) border += left[p];
+  border.setZero(border_size(), border_size());
+  for (const LowerTriangle& of_part : left) of_part.add_to(border);
   left.clear();
   for (const int i : points)
     for (const Stiffness::Entry& entry : K.row(i)) {
@@ -106,9 +106,9 @@ bool Cholesky::factor(const Stiffness& K, double shift) {
     throw;
   }
   work.border.resize(0, 0);
-  work.left.resize(work.parts.size());
+  work.left.assign(work.parts.size(), LowerTriangle(0));
   work.is_factored = each(work.parts.size(), [&](std::size_t p) {
-    work.left[p].setZero(work.border_size(), work.border_size());
+    work.left[p] = LowerTriangle(work.border_size());
     return work.parts[p]->factor(K, shift, work.used, work.left[p]);
   });
   work.is_factored = work.is_factored && work.factor_border(K, shift);

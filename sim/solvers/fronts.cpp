@@ -4,6 +4,7 @@
 
 #include "sim/lapack.hpp"
 #include "sim/large_pages.hpp"
+#include "sim/solvers/front_sequence.hpp"
 
 namespace wale {
 namespace {
@@ -21,18 +22,18 @@ class Fronts {
         supernodes_(supernodes),
         place_(index(K.points()), -1),
         row_(supernodes.order().size()),
-        children_(index(supernodes.count())) {
+        sequence_(supernodes) {
     const std::vector<int>& order = supernodes.order();
     for (std::size_t k = 0; k < order.size(); ++k) place_[index(order[k])] = static_cast<int>(k);
-    for (int s = 0; s < supernodes.count(); ++s)
-      if (supernodes.parent(s) >= 0) ++children_[index(supernodes.parent(s))];
-    make_room();
+    Eigen::Index rest = 0;
+    for (int s = 0; s < supernodes.count(); ++s) rest = std::max(rest, left_by(s) * std::min(left_by(s), wide));
+    rest_.resize(static_cast<std::size_t>(rest));
+    values_.resize(sequence_.room());
   }
 
-  bool factor(Panels& out, Eigen::MatrixXd& border) {
-    for (int s = 0; s < supernodes_.count(); ++s)
-      if (!eliminate(s, out, border)) return false;
-    return true;
+  bool factor(Panels& out, LowerTriangle& border) {
+    const std::vector<int>& all = sequence_.supernodes();
+    return std::all_of(all.begin(), all.end(), [&](int s) { return eliminate(s, out, border); });
   }
 
  private:
@@ -40,27 +41,8 @@ class Fronts {
 
   /// Coordinates that a supernode leaves.
   Eigen::Index left_by(int s) const { return Eigen::Index{3} * (supernodes_.height(s) - supernodes_.width(s)); }
-  static Eigen::Index packed(Eigen::Index size) { return size * (size + 1) / 2; }
 
-  /// What waits is a stack, since supernodes come branch by branch. On top of what its children left lie the columns of
-  /// the front at hand, and on top of these is made what it leaves itself.
-  void make_room() {
-    Eigen::Index rest = 0, waiting = 0, most = 0;
-    std::vector<int> stack;
-    for (int s = 0; s < supernodes_.count(); ++s) {
-      const Eigen::Index own = supernodes_.parent(s) < 0 ? 0 : packed(left_by(s));
-      rest = std::max(rest, left_by(s) * std::min(left_by(s), wide));
-      most = std::max(most, waiting + Eigen::Index{9} * supernodes_.width(s) * supernodes_.height(s) + own);
-      waiting += own;
-      for (int child = 0; child < children_[index(s)]; ++child, stack.pop_back())
-        waiting -= packed(left_by(stack.back()));
-      if (supernodes_.parent(s) >= 0) stack.push_back(s);
-    }
-    rest_.resize(static_cast<std::size_t>(rest));
-    values_.resize(static_cast<std::size_t>(most));
-  }
-
-  bool eliminate(int s, Panels& out, Eigen::MatrixXd& border) {
+  bool eliminate(int s, Panels& out, LowerTriangle& border) {
     const Eigen::Index width = 3 * supernodes_.width(s);
     Matrix columns(values_.data() + filled_, width + left_by(s), width);
     columns.setZero();
@@ -78,7 +60,7 @@ class Fronts {
   }
 
   /// What is left of the rows below `columns`.
-  void leave(int s, const Matrix& columns, Eigen::MatrixXd& border) {
+  void leave(int s, const Matrix& columns, LowerTriangle& border) {
     const Eigen::Index width = columns.cols(), left = left_by(s);
     double *const begin = values_.data() + filled_ + columns.size(), *end = begin;
     for (Eigen::Index first = 0; first < left; first += wide) {
@@ -109,18 +91,18 @@ class Fronts {
   void call_children(int s) {
     arriving_.clear();
     const double* end = values_.data() + filled_;
-    for (int child = 0; child < children_[index(s)]; ++child) {
+    for (int child = 0; child < sequence_.branches(s); ++child) {
       const int supernode = waiting_[waiting_.size() - 1 - index(child)];
-      end -= packed(left_by(supernode));
+      end -= values_left(supernodes_, supernode);
       arriving_.push_back({supernode, 0, end});
     }
   }
 
   /// What was made above them takes their room.
   void dismiss_children(const double* begin, const double* end) {
-    for (const Child& child : arriving_) filled_ -= packed(left_by(child.supernode));
+    for (const Child& child : arriving_) filled_ -= values_left(supernodes_, child.supernode);
     waiting_.resize(waiting_.size() - arriving_.size());
-    filled_ = std::copy(begin, end, values_.data() + filled_) - values_.data();
+    filled_ = static_cast<std::size_t>(std::copy(begin, end, values_.data() + filled_) - values_.data());
   }
 
   /// Column c of a front, of the point at a place: the blocks of K.
@@ -154,20 +136,20 @@ class Fronts {
     }
   }
 
-  void give_to_border(int root, Eigen::Index first, const Matrix& rest, Eigen::MatrixXd& border) const {
+  void give_to_border(int root, Eigen::Index first, const Matrix& rest, LowerTriangle& border) const {
     const int* places = supernodes_.rows(root) + supernodes_.width(root);
     const auto at = [&](Eigen::Index i) { return 3 * (places[(first + i) / 3] - supernodes_.own()) + (first + i) % 3; };
     for (Eigen::Index j = 0; j < rest.cols(); ++j)
-      for (Eigen::Index i = j; i < rest.rows(); ++i) border(at(i), at(j)) += rest(i, j);
+      for (Eigen::Index i = j; i < rest.rows(); ++i) border.column(at(j))[at(i) - at(j)] += rest(i, j);
   }
 
   const Stiffness& K_;
   double shift_;
   const UsedBlocks& used_;
   const Supernodes& supernodes_;
-  std::vector<int> place_;       // by point; -1: of another part
-  std::vector<int> row_;         // by place: which row it is of the front at hand, in points
-  std::vector<int> children_;    // how many, by supernode
+  std::vector<int> place_;  // by point; -1: of another part
+  std::vector<int> row_;    // by place: which row it is of the front at hand, in points
+  FrontSequence sequence_;
   std::vector<int> waiting_;     // supernodes whose parents are still to come
   std::vector<Child> arriving_;  // of the front at hand, last eliminated first
   LargeArray<double> values_;    // the lower triangles of what waits, and the columns of the front at hand
@@ -178,7 +160,7 @@ class Fronts {
 }  // namespace
 
 bool factor_by_fronts(const Stiffness& K, double shift, const UsedBlocks& used, const Supernodes& supernodes,
-                      Panels& factor, Eigen::MatrixXd& border) {
+                      Panels& factor, LowerTriangle& border) {
   return Fronts(K, shift, used, supernodes).factor(factor, border);
 }
 

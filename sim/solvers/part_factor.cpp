@@ -18,7 +18,7 @@ double PartFactor::factor_work() const {
   return work;
 }
 
-bool PartFactor::factor(const Stiffness& K, double shift, const UsedBlocks& used, Eigen::MatrixXd& border) {
+bool PartFactor::factor(const Stiffness& K, double shift, const UsedBlocks& used, LowerTriangle& border) {
   return factor_by_fronts(K, shift, used, supernodes_, panels_, border);
 }
 

@@ -1,6 +1,7 @@
 /// The Cholesky factor of one part of a matrix that shares a border with others.
 #pragma once
 
+#include "sim/solvers/lower_triangle.hpp"
 #include "sim/solvers/panels.hpp"
 
 namespace wale {
@@ -20,9 +21,9 @@ class PartFactor {
   /// How many products and sums it takes.
   double factor_work() const;
 
-  /// Factors K + shift I, and answers what the border loses, C A⁻¹ Cᵀ with a minus, in the lower triangle; nothing if
-  /// A is not positive definite. Throws std::bad_alloc.
-  [[nodiscard]] bool factor(const Stiffness& K, double shift, const UsedBlocks& used, Eigen::MatrixXd& border);
+  /// Factors K + shift I, and adds what the border loses, C A⁻¹ Cᵀ with a minus. False if A is not positive definite.
+  /// Throws std::bad_alloc.
+  [[nodiscard]] bool factor(const Stiffness& K, double shift, const UsedBlocks& used, LowerTriangle& border);
 
   /// Takes x, by coordinates of the whole, at its own points; keeps y = L⁻¹ x, and adds -M y to `border`.
   void forward(const Eigen::VectorXd& x, Eigen::VectorXd& border);
