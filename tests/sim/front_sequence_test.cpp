@@ -13,7 +13,7 @@
 namespace wale {
 namespace {
 
-class FrontSequenceOf : public testing::TestWithParam<unsigned> {
+class FrontSequenceOf : public testing::TestWithParam<int> {
  protected:
   FrontSequenceOf() {
     used_.update(K_);
@@ -44,7 +44,7 @@ class FrontSequenceOf : public testing::TestWithParam<unsigned> {
     return best;
   }
 
-  const Stiffness K_ = RandomTies(150, 17, GetParam()).matrix();
+  const Stiffness K_ = RandomTies(GetParam(), 40, 1).matrix();
   UsedBlocks used_;
   std::optional<Supernodes> supernodes_;
 };
@@ -78,7 +78,7 @@ TEST_P(FrontSequenceOf, LeavesWhatWaitsOnAStackWithinItsRoom) {
   EXPECT_EQ(all, expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(RandomTies, FrontSequenceOf, testing::Values(1U, 2U, 3U, 4U));
+INSTANTIATE_TEST_SUITE_P(SomeTies, FrontSequenceOf, testing::Values(1, 150, 1000, 3000));
 
 }  // namespace
 }  // namespace wale
