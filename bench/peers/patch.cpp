@@ -1,6 +1,8 @@
 #include "bench/peers/patch.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "compiler/passes.hpp"
@@ -40,6 +42,37 @@ YarnCurve row(const Patch& patch, int course) {
   return yarn;
 }
 
+Points axis_of(const Fabric& fabric, const Points& q, const Yarn& yarn) {
+  constexpr int per_segment = 16;
+  return polyline(fabric, q, yarn.first_segment, yarn.first_segment + yarn.segments - 1, per_segment);
+}
+
+constexpr int per_stitch = 8000;  // points of a curve by which distances from it are measured
+
+Points shrunk_loops(const Patch& patch, int course) {
+  Points curve(3, per_stitch * patch.wales + 1);
+  for (int i = 0; i < curve.cols(); ++i) {
+    const int wale = std::min(i / per_stitch, patch.wales - 1);
+    curve.col(i) = patch.shrinkage * loop(wale, course, 4.0 * (i - wale * per_stitch) / per_stitch - 2).y;
+  }
+  return curve;
+}
+
+/// Of the box around a curve.
+Vec3 middle(const Points& curve) { return (curve.rowwise().maxCoeff() + curve.rowwise().minCoeff()) / 2; }
+
+/// From a curve, a quarter of a stitch to both sides of its point `nearby`.
+double distance(const Vec3& from, const Points& curve, Eigen::Index nearby) {
+  double least = std::numeric_limits<double>::infinity();
+  const Eigen::Index last = std::min<Eigen::Index>(nearby + per_stitch / 4, curve.cols() - 1);
+  for (Eigen::Index i = std::max<Eigen::Index>(nearby - per_stitch / 4, 0); i < last; ++i) {
+    const Vec3 along = curve.col(i + 1) - curve.col(i), off = from - curve.col(i);
+    const double share = std::clamp(off.dot(along) / along.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (off - share * along).norm());
+  }
+  return least;
+}
+
 }  // namespace
 
 Material patch_yarn() {
@@ -60,14 +93,27 @@ Fabric lay(const Patch& patch) {
 }
 
 Vec3 extent(const Fabric& fabric, const Points& q) {
-  constexpr int per_segment = 16;
   Vec3 low = Vec3::Constant(1e9), high = -low;
   for (const Yarn& yarn : fabric.yarns) {
-    const Points axis = polyline(fabric, q, yarn.first_segment, yarn.first_segment + yarn.segments - 1, per_segment);
+    const Points axis = axis_of(fabric, q, yarn);
     low = low.cwiseMin(axis.rowwise().minCoeff());
     high = high.cwiseMax(axis.rowwise().maxCoeff());
   }
   return high - low;
+}
+
+double off_shape(const Patch& patch, const Fabric& fabric, const Points& q) {
+  double most = 0;
+  for (std::size_t course = 0; course < fabric.yarns.size(); ++course) {
+    const Points expected = shrunk_loops(patch, static_cast<int>(course));
+    const Points axis = axis_of(fabric, q, fabric.yarns[course]);
+    const Vec3 moved = middle(axis) - middle(expected);
+    for (Eigen::Index i = 0; i < axis.cols(); ++i) {
+      const auto nearby = i * expected.cols() / axis.cols();
+      most = std::max(most, distance(axis.col(i) - moved, expected, nearby));
+    }
+  }
+  return most;
 }
 
 }  // namespace wale::peers

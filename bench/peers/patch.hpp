@@ -21,4 +21,9 @@ Fabric lay(const Patch&);
 /// The box around all yarn axes, m: along the courses, along the wales, through the fabric.
 Vec3 extent(const Fabric&, const Points& q);
 
+/// The furthest that a row's axis is from Eq. (4), shrunk, and moved as the row has moved, m: so lies yarn that
+/// remembers how it was laid, where no row presses another. Rows that clear each other may shift without force, which
+/// changes the box around all.
+double off_shape(const Patch&, const Fabric&, const Points& q);
+
 }  // namespace wale::peers

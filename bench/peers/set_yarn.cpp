@@ -1,6 +1,7 @@
 #include "bench/peers/set_yarn.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "sim/cross_matrix.hpp"
 #include "sim/spline.hpp"
@@ -31,11 +32,12 @@ class SetYarn final : public Effect {
       for (const Node& node : nodes_) {
         const int first = parts.fabric.first_point(i);
         const Vec3 dy = combine(parts.fabric.points, first, node.basis.first);
-        laid_.push_back({dy.normalized(), curvature_of(dy, combine(parts.fabric.points, first, node.basis.second))});
+        laid_.push_back({dy.norm() / parts.fabric.segment(i).length, dy.normalized(),
+                         curvature_of(dy, combine(parts.fabric.points, first, node.basis.second))});
       }
   }
 
-  std::string_view name() const override { return "bend"; }
+  std::string_view name() const override { return "set yarn"; }
 
   void add(const State& at, Load& out) const override {
     const RestLengths rest = parts_.rest(at.t);
@@ -46,13 +48,41 @@ class SetYarn final : public Effect {
 
  private:
   struct Laid {
+    double speed;  // over the segment's length
     Vec3 tangent, curvature;
   };
 
   /// `l`: the segment's rest length.
   void add_node(const State& at, int segment, double l, const Node& node, const Laid& of, Load& out) const {
+    add_stretch(at, segment, l * of.speed, node, out);
+    add_bend(at, segment, l, node, of, out);
+  }
+
+  /// `u`: the speed at rest.
+  void add_stretch(const State& at, int segment, double u, const Node& node, Load& out) const {
     const int first = parts_.fabric.first_point(segment);
-    const double scale = node.weight * parts_.fabric.material_of(segment).bending_rigidity * l;
+    const double EA = node.weight * parts_.fabric.material_of(segment).axial_stiffness;
+    const Vec3 slope = combine(at.q, first, node.basis.first);
+    const double length = slope.norm(), strain = length / u - 1;
+    if (out.energy) *out.energy += EA * u * strain * strain / 2;
+    if (out.force)
+      for (int k = 0; k < 4; ++k)
+        out.force->col(first + k) -= node.basis.first[static_cast<std::size_t>(k)] * EA * strain / length * slope;
+    const Mat3 along = slope * slope.transpose() / (length * length), across = Mat3::Identity() - along;
+    add_second(out.stiffness, first, node.basis.first, EA / u * along + EA * strain / length * across);
+    add_second(out.convex, first, node.basis.first, EA / u * along + EA * std::max(strain, 0.0) / length * across);
+  }
+
+  static void add_second(Stiffness* out, int first, const std::array<double, 4>& by_point, const Mat3& second) {
+    if (!out) return;
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t k = j; k < 4; ++k)
+        out->add(first + static_cast<int>(j), first + static_cast<int>(k), by_point[j] * by_point[k] * second);
+  }
+
+  void add_bend(const State& at, int segment, double l, const Node& node, const Laid& of, Load& out) const {
+    const int first = parts_.fabric.first_point(segment);
+    const double scale = node.weight * parts_.fabric.material_of(segment).bending_rigidity * l * of.speed;
     const Vec3 a = combine(at.q, first, node.basis.first), b = combine(at.q, first, node.basis.second);
     const double length = a.norm(), p = 1 / (length * length * length);
     const Vec3 rest = of.curvature * parts_.fabric.segment(segment).length / l, t = a / length;
