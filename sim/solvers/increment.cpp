@@ -34,9 +34,15 @@ void Increment::expect(const State& from, const Points& gaining) {
   inertia_.look_at(end);
 }
 
+void Increment::prepare(const State& at) {
+  damping_is_of_prepared_ = false;
+  world_.prepare(at, Acting::elastic);
+}
+
 void Increment::lag(const State& lagged) {
   if (!dissipates_) return;
   lagged_ = lagged;
+  damping_is_of_prepared_ = false;
   world_.prepare(lagged, Acting::dissipative);
 }
 
@@ -113,10 +119,10 @@ void Increment::second(const State& at, const Leeway& leeway, const Caution& cau
   const bool in_part = moves_in_part(), is_exact = model == Model::exact;
   Stiffness& all = in_part ? by_all_ : out;
   all.clear();
-  if (dissipates_) {
-    Load loss{.damping = &all, .secant = caution.secant};
-    world_.add_to(loss, moving(at), Acting::dissipative);
-    if (has_inertia()) damping_ = all;
+  if (dissipates_ && has_inertia()) {
+    all.add(damping_at(at), 1 / time_);
+  } else if (dissipates_) {
+    add_damping(at, caution.secant, all);
     all.scale(1 / time_);
   }
   Load load{.stiffness = is_exact ? &all : nullptr, .convex = is_exact ? nullptr : &all};
@@ -124,10 +130,24 @@ void Increment::second(const State& at, const Leeway& leeway, const Caution& cau
   if (has_inertia()) all.add(mass_, 1 / (time_ * time_));
   if (flows()) inertia_.add_to(all, 1 / (time_ * time_));
   if (caution.shift.size() > 0) leeway.add_to(all, caution.shift);
-  damping_.fit();
   if (!in_part) return;
   gather(all, out);
   if (is_exact) add_turning(at, out);
+}
+
+void Increment::add_damping(const State& at, double secant, Stiffness& out) const {
+  Load loss{.damping = &out, .secant = secant};
+  world_.add_to(loss, moving(at), Acting::dissipative);
+}
+
+/// Of a motion, whose models of one state, and its impulses, all have a part in it.
+const Stiffness& Increment::damping_at(const State& at) {
+  if (!damping_is_of_prepared_) {
+    damping_.clear();
+    add_damping(at, 0, damping_);
+    damping_is_of_prepared_ = true;
+  }
+  return damping_;
 }
 
 Points Increment::impulse(const Points& a, const Points& b) const {

@@ -34,7 +34,7 @@ class Increment {
   bool has_inertia() const { return coasting_.size() > 0; }
   bool dissipates() const { return dissipates_; }
   /// Brings caches up to date for V at `at`.
-  void prepare(const State& at) { world_.prepare(at, Acting::elastic); }
+  void prepare(const State& at);
   /// The force -dV/dq, N, on all columns of State::q. Prepares.
   Points push(const State& at);
   /// Φ, J; and the force -dΦ/dx, N, if it is wanted, on what may move: 3 x points(). Prepares.
@@ -70,6 +70,8 @@ class Increment {
   bool moves_in_part() const { return !attended_.empty() || !world_.ties().empty(); }
   void expect(const State& from, const Points& gaining);
   State moving(const State& at) const;
+  void add_damping(const State& at, double secant, Stiffness& out) const;
+  const Stiffness& damping_at(const State& at);
   Points gather(const Points& force) const;
   void gather(const Stiffness& by_all, Stiffness& by_free) const;
   void add_turning(const State& at, Stiffness& exact);
@@ -82,9 +84,10 @@ class Increment {
   Points from_, coasting_;     // q0, q1; the latter empty without inertia
   double time_ = 1;            // θ, s
   FlowingInertia inertia_;
-  Stiffness mass_;     // kg; empty without inertia
-  Stiffness damping_;  // second derivative of D by velocity, of a motion
-  Stiffness by_all_;   // by all columns, where not all of them may move by themselves
+  Stiffness mass_;                       // kg; empty without inertia
+  Stiffness damping_;                    // second derivative of D by velocity, of a motion
+  bool damping_is_of_prepared_ = false;  // at the last state prepared
+  Stiffness by_all_;                     // by all columns, where not all of them may move by themselves
 };
 
 }  // namespace wale
