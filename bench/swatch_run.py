@@ -1,9 +1,11 @@
-"""The swatch that the scripts beside this pull, and one run of it as a whole process."""
+"""The swatch that the scripts beside this pull, one run of it as a whole process, and the curve that it leaves."""
 
+import csv
 import os
 import subprocess
 import sys
 import time
+from bisect import bisect_left
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -46,3 +48,23 @@ def run_once(scene, out, threads):
     if status:
         sys.exit(f"{file} failed: see {log.name}")
     return time.monotonic() - begun, spent.ru_utime + spent.ru_stime, spent.ru_maxrss / 1e3
+
+
+class Curve:
+    """The stress-strain curve of a run, straight between its samples."""
+
+    def __init__(self, out):
+        with open(out / "curve.csv") as table:
+            rows = list(csv.DictReader(table))
+        self.strain = [float(row["strain"]) for row in rows]
+        self.stress = [float(row["stress_MPa"]) for row in rows]
+
+    def at(self, strain):
+        k = min(max(bisect_left(self.strain, strain), 1), len(self.strain) - 1)
+        share = (strain - self.strain[k - 1]) / (self.strain[k] - self.strain[k - 1])
+        return self.stress[k - 1] + share * (self.stress[k] - self.stress[k - 1])
+
+    def off(self, reference):
+        """The largest difference, % of the peak."""
+        everywhere = self.strain + reference.strain
+        return 100 * max(abs(self.at(s) - reference.at(s)) for s in everywhere) / max(reference.stress)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/solvers/lower_triangle.hpp"
+
 namespace wale {
 namespace {
 
@@ -12,8 +14,8 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 std::size_t values_of_columns(const Supernodes& all, int s) { return 9 * index(all.width(s)) * index(all.height(s)); }
 
 std::size_t values_left(const Supernodes& all, int s) {
-  const std::size_t size = 3 * index(all.height(s) - all.width(s));
-  return all.parent(s) < 0 ? 0 : size * (size + 1) / 2;
+  if (all.parent(s) < 0) return 0;
+  return static_cast<std::size_t>(LowerTriangle::values(Eigen::Index{3} * (all.height(s) - all.width(s))));
 }
 
 FrontSequence::FrontSequence(const Supernodes& all) : branches_(index(all.count())) {

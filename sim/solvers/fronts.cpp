@@ -4,7 +4,6 @@
 
 #include "sim/lapack.hpp"
 #include "sim/large_pages.hpp"
-#include "sim/solvers/front_sequence.hpp"
 
 namespace wale {
 namespace {
@@ -15,14 +14,15 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 class Fronts {
  public:
-  Fronts(const Stiffness& K, double shift, const UsedBlocks& used, const Supernodes& supernodes)
+  Fronts(const Stiffness& K, double shift, const UsedBlocks& used, const Supernodes& supernodes,
+         const FrontSequence& sequence)
       : K_(K),
         shift_(shift),
         used_(used),
         supernodes_(supernodes),
         place_(index(K.points()), -1),
         row_(supernodes.order().size()),
-        sequence_(supernodes) {
+        sequence_(sequence) {
     const std::vector<int>& order = supernodes.order();
     for (std::size_t k = 0; k < order.size(); ++k) place_[index(order[k])] = static_cast<int>(k);
     Eigen::Index rest = 0;
@@ -149,7 +149,7 @@ class Fronts {
   const Supernodes& supernodes_;
   std::vector<int> place_;  // by point; -1: of another part
   std::vector<int> row_;    // by place: which row it is of the front at hand, in points
-  FrontSequence sequence_;
+  const FrontSequence& sequence_;
   std::vector<int> waiting_;     // supernodes whose parents are still to come
   std::vector<Child> arriving_;  // of the front at hand, last eliminated first
   LargeArray<double> values_;    // the lower triangles of what waits, and the columns of the front at hand
@@ -160,8 +160,8 @@ class Fronts {
 }  // namespace
 
 bool factor_by_fronts(const Stiffness& K, double shift, const UsedBlocks& used, const Supernodes& supernodes,
-                      Panels& factor, LowerTriangle& border) {
-  return Fronts(K, shift, used, supernodes).factor(factor, border);
+                      const FrontSequence& sequence, Panels& factor, LowerTriangle& border) {
+  return Fronts(K, shift, used, supernodes, sequence).factor(factor, border);
 }
 
 }  // namespace wale

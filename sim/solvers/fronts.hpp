@@ -1,6 +1,7 @@
 /// The numeric Cholesky factorization of a part of a matrix.
 #pragma once
 
+#include "sim/solvers/front_sequence.hpp"
 #include "sim/solvers/lower_triangle.hpp"
 #include "sim/solvers/panels.hpp"
 
@@ -12,6 +13,7 @@ namespace wale {
 /// False if that is not positive definite. Adds -C A⁻¹ Cᵀ, which the border loses to the part, to `border`. Throws
 /// std::bad_alloc.
 [[nodiscard]] bool factor_by_fronts(const Stiffness& K, double shift, const UsedBlocks& used,
-                                    const Supernodes& supernodes, Panels& factor, LowerTriangle& border);
+                                    const Supernodes& supernodes, const FrontSequence& sequence, Panels& factor,
+                                    LowerTriangle& border);
 
 }  // namespace wale

@@ -9,6 +9,9 @@ namespace wale {
 /// Of a symmetric matrix the lower triangle, column by column.
 class LowerTriangle {
  public:
+  /// How many it has.
+  static Eigen::Index values(Eigen::Index size) { return size * (size + 1) / 2; }
+
   /// Zero.
   explicit LowerTriangle(Eigen::Index size) : size_(size), values_(static_cast<std::size_t>(values(size)), 0.0) {}
 
@@ -22,8 +25,6 @@ class LowerTriangle {
   }
 
  private:
-  static Eigen::Index values(Eigen::Index size) { return size * (size + 1) / 2; }
-
   Eigen::Index size_;
   LargeArray<double> values_;
 };

@@ -6,7 +6,7 @@ namespace wale {
 
 PartFactor::PartFactor(const Stiffness& K, const UsedBlocks& used, const std::vector<int>& part,
                        const std::vector<int>& border, Precision precision)
-    : supernodes_(K, used, part, border), panels_(supernodes_, precision) {}
+    : supernodes_(K, used, part, border), sequence_(supernodes_), panels_(supernodes_, precision) {}
 
 double PartFactor::factor_work() const {
   double work = 0;
@@ -19,7 +19,7 @@ double PartFactor::factor_work() const {
 }
 
 bool PartFactor::factor(const Stiffness& K, double shift, const UsedBlocks& used, LowerTriangle& border) {
-  return factor_by_fronts(K, shift, used, supernodes_, panels_, border);
+  return factor_by_fronts(K, shift, used, supernodes_, sequence_, panels_, border);
 }
 
 void PartFactor::forward(const Eigen::VectorXd& x, Eigen::VectorXd& border) {

@@ -1,6 +1,7 @@
 /// The Cholesky factor of one part of a matrix that shares a border with others.
 #pragma once
 
+#include "sim/solvers/front_sequence.hpp"
 #include "sim/solvers/lower_triangle.hpp"
 #include "sim/solvers/panels.hpp"
 
@@ -32,6 +33,7 @@ class PartFactor {
 
  private:
   Supernodes supernodes_;
+  FrontSequence sequence_;
   Panels panels_;
   Eigen::VectorXd y_;  // by places
 };

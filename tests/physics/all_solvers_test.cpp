@@ -20,6 +20,8 @@ struct Way {
 constexpr Way to_rest{"{quasi_static: {tolerance: 1e-4}}", "1 s", ""};
 constexpr Way pulled{"{quasi_static: {tolerance: 0.005}}", "8 s", "friction: {threshold: 0.01 mm/s}"};
 
+constexpr int of_pull = 9;  // samples, the first of them at rest
+
 class AllSolvers : public testing::TestWithParam<const char*> {
  protected:
   Results run(const Way& resting, const Way& pulling) const {
@@ -36,28 +38,23 @@ stages:
                                  pulling.solver, pulling.effects));
   }
 
-  /// Of the last samples, which are those of the pull.
-  static std::vector<double> of_pull(const Results& results, const std::string& column) {
-    const std::vector<double>& all = results.samples.find(column)->values;
-    return {all.end() - 9, all.end()};
-  }
-
   static double energy_at_rest(const Results& results) {
     double sum = 0;
-    for (const char* of : {"energy.stretch", "energy.bend", "energy.contact"}) sum += of_pull(results, of).front();
+    for (const char* of : {"energy.stretch", "energy.bend", "energy.contact"})
+      sum += last(results, of, of_pull).front();
     return sum;
   }
 };
 
 TEST_P(AllSolvers, FindTheSameCurve) {
   const std::string effects = fmt::format("friction: {{threshold: 4 mm/s}}, {}", drag);
-  const std::vector<double> by_equilibria = of_pull(run(to_rest, pulled), "stress"),
-                            by_motion = of_pull(run(to_rest, {"implicit", "20 ms", effects}), "stress");
+  const std::vector<double> by_equilibria = last(run(to_rest, pulled), "stress", of_pull),
+                            by_motion = last(run(to_rest, {"implicit", "20 ms", effects}), "stress", of_pull);
   const double peak = *std::max_element(by_equilibria.begin(), by_equilibria.end());
   for (std::size_t i = 0; i < by_motion.size(); ++i) EXPECT_NEAR(by_motion[i], by_equilibria[i], 0.02 * peak) << i;
 }
 
-/// Of the valley that jersey, rib and seed rest in the floor is flat, and its lowest point a matter of chance.
+/// Jersey, rib and seed rest in valleys whose floor is flat: where on it is a matter of chance, how deep is not.
 TEST_P(AllSolvers, FindARestOfTheSameEnergy) {
   const double by_equilibria = energy_at_rest(run(to_rest, pulled)),
                by_motion = energy_at_rest(run({"implicit", "20 ms", drag}, pulled));

@@ -144,12 +144,6 @@ TEST(Friction, HoldsAYarnBelowTheAngleOfFrictionAndLetsItSlideAboveIt) {
   }
 }
 
-/// The last `count` numbers of a column.
-std::vector<double> last(const Results& results, const char* name, int count) {
-  const std::vector<double>& all = results.samples.find(name)->values;
-  return {all.end() - count, all.end()};
-}
-
 /// The work of three loops between the strains 30 % and 0 %, and what of it is lost, J/m³.
 struct Loops {
   double lost[3] = {}, stored = 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/allocations.hpp"
 #include "tests/support/finite_difference.hpp"
 
 namespace wale {
@@ -105,6 +106,13 @@ TEST(Stiffness, SharesItsPatternWithItsCopiesButNoValue) {
   EXPECT_EQ(one.slots(), other.slots());
   EXPECT_EQ(one.slot(1, 2), other.slot(1, 2));
   EXPECT_EQ(dense(other) - before, dense(other).cwiseProduct((before.array() == 0).cast<double>().matrix()));
+}
+
+TEST(Stiffness, IsClearedWithoutAskingForMemory) {
+  if (!test::counts_allocations()) GTEST_SKIP() << "the heap cannot be watched";
+  Stiffness stiffness = example();
+  stiffness.clear();
+  EXPECT_EQ(test::allocations_of([&] { stiffness.clear(); }).calls, 0U);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "compiler/compile.hpp"
 #include "sim/run.hpp"
@@ -18,6 +19,12 @@ inline Results run_scene(const std::string& text, const RunOptions& options = {}
   results.scene = compile_scene(*source, sources, say).value();
   if (run(results, options) != Outcome::finished) throw std::runtime_error(results.effort.failure);
   return results;
+}
+
+/// The last `count` numbers of a column.
+inline std::vector<double> last(const Results& results, const char* name, int count) {
+  const std::vector<double>& all = results.samples.find(name)->values;
+  return {all.end() - count, all.end()};
 }
 
 }  // namespace wale
